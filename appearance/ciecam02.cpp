@@ -1,0 +1,1 @@
+#include "appearance/ciecam02.h"

@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "appearance/spectra/spectrum.h"
+
+namespace spectra {
+
+/// Relative spectral power; the scale has no meaning. Names: A, C, D50, D55, D65, D75, E.
+/// @throws std::invalid_argument  naming the known illuminants
+[[nodiscard]] Samples illuminant(std::string_view name);
+[[nodiscard]] const std::vector<std::string>& illuminant_names();
+
+/// [Neumann2004] eq. 7, at 1 nm, 355..835 nm. @throws std::invalid_argument  outside 100..1e6 K
+[[nodiscard]] Samples planck(double temperature_K);
+
+/// CIE daylight of a correlated colour temperature. @throws std::invalid_argument  outside
+/// 4000..25000 K
+[[nodiscard]] Samples daylight(double cct_K);
+
+/// A light source of [Neumann2004] Table 4: Planckian, with its efficacy where one is printed.
+struct LampPreset {
+  std::string name;
+  double temperature_K = 0;
+  double efficacy_lm_W = 0;  ///< 0: not printed
+};
+
+[[nodiscard]] const std::vector<LampPreset>& lamp_presets();
+
+}  // namespace spectra

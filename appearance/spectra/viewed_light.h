@@ -1,0 +1,33 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "appearance/spectra/spectrum.h"
+
+namespace spectra {
+
+/// The light that decides how a viewed wall looks: radiosities, W m^-2 nm^-1 (radiance times pi),
+/// on one grid.
+struct ViewedLight {
+  Spectrum sample;      ///< the viewed point itself
+  Spectrum background;  ///< mean over the ring from 1 to 11 degrees around the view axis
+  Spectrum field;  ///< solid-angle mean from 11 to 90 degrees: the adapting field, lamps included
+  Spectrum white;  ///< the reference white: an ideal diffuser at the viewed point unless chosen
+                   ///< otherwise
+};
+
+/// The room as the paint sees it: the reflectance of the painted surfaces in, the viewed light out.
+using RoomResponse = std::function<ViewedLight(const Spectrum& reflectance)>;
+
+/// How viewing conditions are read from the lit room [Neumann2004] 2.4, 3.6, 4.4, Table 5.
+enum class Surround { neumann, cie, illuminance, average, dim, dark };
+enum class Background { ring, sample };  ///< sample: the paper's shortcut, Y_b = Y of the wall
+enum class ReferenceWhite { ideal, surfaces };  ///< surfaces: mean over near-white surfaces in view
+
+struct ViewingChoices {
+  Surround surround = Surround::neumann;
+  Background background = Background::ring;
+  ReferenceWhite white = ReferenceWhite::ideal;
+};
+
+}  // namespace spectra

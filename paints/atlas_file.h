@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "appearance/spectra/spectrum.h"
+
+namespace paints {
+
+struct Paint {
+  std::string name;
+  spectra::Spectrum reflectance;  ///< on the transport grid
+  std::string label;              ///< a hint for people, may be empty
+};
+
+struct Atlas {
+  std::string name;
+  std::string source;
+  bool reconstructed = false;
+  bool percent = false;  ///< a file gave percent; it was divided by 100
+  std::vector<Paint> paints;
+};
+
+/// A compiled-in atlas by name, else a CSV file by path (spectra/spectrum_file.h).
+/// @throws spectra::InputError, spectra::FileError
+[[nodiscard]] Atlas load_atlas(const std::string& name_or_path,
+                               const spectra::Grid& grid = spectra::kTransportGrid);
+
+}  // namespace paints

@@ -1,0 +1,1 @@
+#include "paints/ranking.h"

@@ -1,0 +1,128 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "appearance/spectra/spectrum.h"
+#include "appearance/spectra/viewed_light.h"
+
+namespace scenes {
+
+using spectra::Spectrum;
+
+/// A rectangle in a wall. Wall i runs from corner i of the plan to i + 1.
+struct Opening {
+  std::string name;
+  int wall = 0;
+  double offset_m = 0;  ///< along the wall from its first corner
+  double sill_m = 0;
+  double width_m = 0, height_m = 0;
+  Spectrum transmittance;
+};
+
+struct Box {
+  std::string name;
+  Eigen::Vector3d min_m, max_m;  ///< before rotation
+  double rotate_z_deg = 0;       ///< about its own centre, counter-clockwise from above
+};
+
+/// A lamp flush with a surface; a patch of the mesh.
+struct Panel {
+  std::string name;
+  int on = 0;                ///< index into Room::surfaces: floor, ceiling or a wall
+  Eigen::Vector2d center_m;  ///< floor, ceiling: x, y; wall: along, up
+  Eigen::Vector2d size_m;
+};
+
+struct PointLight {
+  std::string name;
+  Eigen::Vector3d at_m;
+  Spectrum spectral_flux;  ///< W nm^-1, into all directions alike
+};
+
+struct Sun {
+  std::string name;
+  double azimuth_deg = 0;  ///< clockwise from +y seen from above
+  double altitude_deg = 0;
+  Spectrum normal_irradiance;  ///< W m^-2 nm^-1 outside, perpendicular to the beam
+};
+
+enum class SurfaceKind { floor, ceiling, wall, opening, panel, furniture };
+
+/// Everything that reflects or shines by area. Order: floor, ceiling, walls, openings, panels,
+/// furniture.
+struct Surface {
+  std::string name;
+  SurfaceKind kind = SurfaceKind::floor;
+  int index = 0;               ///< into plan corners, openings, panels or furniture
+  Spectrum reflectance;        ///< 0 <= rho < 1
+  Spectrum exitance;           ///< S, W m^-2 nm^-1; zero unless it is a lamp
+  bool reconstructed = false;  ///< its reflectance was computed from a colour, not measured
+};
+
+struct Receiver {
+  std::string name;
+  Eigen::Vector3d at_m, normal;
+};
+
+struct View {
+  Eigen::Vector3d eye_m, look_at_m;
+};
+
+/// The wished appearance: a reflectance seen on the swatch, or J, C, h under the standard
+/// conditions.
+struct TargetColour {
+  std::string name;
+  std::variant<Spectrum, Eigen::Vector3d> colour;
+};
+
+struct PaintTask {
+  std::vector<int> surfaces;  ///< into Room::surfaces: they share one paint
+  std::string atlas;          ///< a name, or a path resolved against the room file's folder
+  std::optional<TargetColour> target;
+  int top = 20;
+};
+
+/// A room as the file describes it, checked: plain data on one grid.
+struct Room {
+  std::string name;
+  spectra::Grid grid;
+  std::vector<Eigen::Vector2d> plan_m;  ///< counter-clockwise
+  double height_m = 0;
+  double patch_m = 0;  ///< longest patch edge that the mesh aims at
+  std::vector<Opening> openings;
+  std::vector<Panel> panels;
+  std::vector<Box> furniture;
+  std::vector<Surface> surfaces;
+  std::vector<PointLight> point_lights;
+  std::vector<Sun> suns;
+  std::vector<Receiver> receivers;
+  std::optional<View> view;
+  spectra::ViewingChoices viewing;
+  std::optional<PaintTask> paint;
+  std::vector<std::string> notes;  ///< what was assumed or converted, for the report
+};
+
+/// -1 if there is none.
+[[nodiscard]] int find_surface(const Room& room, std::string_view name);
+
+/// Corners of a box's eight vertices, of a wall rectangle... shared by checks, mesh and solver.
+/// Footprint of a box, counter-clockwise from above.
+[[nodiscard]] std::vector<Eigen::Vector2d> footprint(const Box& box);
+
+/// A planar frame: point = origin + u * along + v * up; normal = along x up, into the room.
+struct Frame {
+  Eigen::Vector3d origin_m, along, up, normal;
+};
+
+/// The frame of a floor, ceiling or wall: floor and ceiling coordinates are x, y of the plan (the
+/// ceiling's `normal` points down, so there along x up = -normal), walls are along and up from the
+/// first corner.
+[[nodiscard]] Frame frame_of(const Room& room, int surface);
+
+/// The rectangle of an opening or panel in space, counter-clockwise seen from the room.
+[[nodiscard]] std::vector<Eigen::Vector3d> rectangle_of(const Room& room, int surface);
+
+}  // namespace scenes

@@ -1,0 +1,1 @@
+#include "solver/closed_form.h"
