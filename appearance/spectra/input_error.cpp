@@ -8,7 +8,8 @@ namespace {
 std::string joined(const std::vector<Fault>& faults) {
   std::string text;
   for (const Fault& fault : faults) {
-    text += (text.empty() ? "" : "\n") + to_string(fault);
+    if (!text.empty()) text += '\n';
+    text += to_string(fault);
   }
   return text;
 }
