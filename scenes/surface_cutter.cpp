@@ -1,0 +1,315 @@
+#include "scenes/surface_cutter.h"
+
+#include <Eigen/Geometry>
+#include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stdexcept>
+
+namespace scenes {
+namespace {
+
+constexpr double kSnapM = 1e-9;       // closer than this to a line is on it; no edge is shorter
+constexpr double kMinAreaM2 = 1e-14;  // no piece is smaller
+constexpr double kStraightM = 1e-12;  // rounding of a corner put on an edge; true corners bend more
+
+/// OpenMesh keeps the half-edges; places and labels are ours.
+class Mesh : public OpenMesh::PolyConnectivity {
+ public:
+  VertexHandle add_vertex(const Eigen::Vector2d& p) {
+    points_.push_back(p);
+    return new_vertex();
+  }
+
+  [[nodiscard]] const Eigen::Vector2d& point(VertexHandle v) const {
+    return points_[static_cast<std::size_t>(v.idx())];
+  }
+
+  int& label(FaceHandle f) {
+    labels_.resize(n_faces());
+    return labels_[static_cast<std::size_t>(f.idx())];
+  }
+
+ private:
+  std::vector<Eigen::Vector2d> points_;
+  std::vector<int> labels_;
+};
+
+using Face = Mesh::FaceHandle;
+using Halfedge = Mesh::HalfedgeHandle;
+
+struct Halves {
+  std::optional<Face> left{}, right{};
+};
+
+Polygon outline_of(const Mesh& mesh, Face face) {
+  Polygon polygon;
+  for (const auto vertex : mesh.fv_ccw_range(face)) polygon.push_back(mesh.point(vertex));
+  return polygon;
+}
+
+/// Where the inside of an edge crosses a line, if it does.
+std::optional<Eigen::Vector2d> crossing(const Mesh& mesh, Halfedge edge, const Line& line) {
+  const Eigen::Vector2d from = mesh.point(mesh.from_vertex_handle(edge));
+  const Eigen::Vector2d to = mesh.point(mesh.to_vertex_handle(edge));
+  const double start = line.left_by(from), end = line.left_by(to);
+  if (std::min(start, end) >= -kSnapM || std::max(start, end) <= kSnapM) return {};
+  return from + start / (start - end) * (to - from);
+}
+
+/// Puts a vertex wherever the line crosses an edge of the face.
+void split_crossed_edges(Mesh& mesh, Face face, const Line& line) {
+  const auto range = mesh.fh_ccw_range(face);
+  for (const Halfedge h : std::vector<Halfedge>(range.begin(), range.end())) {
+    const auto point = crossing(mesh, h, line);
+    if (point) mesh.split_edge(mesh.edge_handle(h), mesh.add_vertex(*point));
+  }
+}
+
+/// Divides the face along a new edge that ends where `before` starts and starts where `after` ends;
+/// the left half keeps both.
+Halves divide(Mesh& mesh, Face face, Halfedge before, Halfedge after) {
+  const int label = mesh.label(face);
+  const Halfedge h = mesh.insert_edge(after, before);
+  const Face left = mesh.face_handle(h);
+  const Face right = mesh.face_handle(mesh.opposite_halfedge_handle(h));
+  mesh.label(left) = mesh.label(right) = label;
+  return {.left = left, .right = right};
+}
+
+/// Cuts a convex face by a line, unless one of the halves would have no area to speak of.
+Halves cut(Mesh& mesh, Face face, const Line& line) {
+  const Polygon outline = outline_of(mesh, face);
+  double furthest_left = 0, furthest_right = 0;
+  for (const Eigen::Vector2d& p : outline) {
+    furthest_left = std::max(furthest_left, line.left_by(p));
+    furthest_right = std::max(furthest_right, -line.left_by(p));
+  }
+  const double left_area = area(clip(outline, line));
+  if (furthest_left <= kSnapM || left_area < kMinAreaM2) return {.right = face};
+  if (furthest_right <= kSnapM || area(outline) - left_area < kMinAreaM2) return {.left = face};
+
+  split_crossed_edges(mesh, face, line);
+  Halfedge enters, leaves;  // the one run of vertices on the left
+  for (const auto h : mesh.fh_ccw_range(face)) {
+    const bool from_left = line.left_by(mesh.point(mesh.from_vertex_handle(h))) > kSnapM;
+    const bool to_left = line.left_by(mesh.point(mesh.to_vertex_handle(h))) > kSnapM;
+    if (!from_left && to_left) enters = h;
+    if (from_left && !to_left) leaves = h;
+  }
+  return divide(mesh, face, enters, leaves);
+}
+
+/// Cuts by parallel lines, sorted so that each lies on the right of the next. Pieces come back in
+/// that order. Halving the lines keeps the work at (pieces) x log(lines).
+void cut_by_lines(Mesh& mesh, const std::vector<Face>& faces, std::span<const Line> lines,
+                  std::vector<Face>& pieces) {
+  if (lines.empty()) {
+    pieces.insert(pieces.end(), faces.begin(), faces.end());
+    return;
+  }
+  const std::size_t middle = lines.size() / 2;
+  std::vector<Face> left, right;
+  for (const Face face : faces) {
+    const Halves halves = cut(mesh, face, lines[middle]);
+    if (halves.left) left.push_back(*halves.left);
+    if (halves.right) right.push_back(*halves.right);
+  }
+  cut_by_lines(mesh, left, lines.first(middle), pieces);
+  cut_by_lines(mesh, right, lines.subspan(middle + 1), pieces);
+}
+
+/// Where a ray first meets the boundary of a face: at the end of an edge, or between its ends.
+struct Hit {
+  double distance_m = std::numeric_limits<double>::infinity();
+  Halfedge edge;
+  bool at_end = false;
+};
+
+Hit first_hit(const Mesh& mesh, Face face, const Line& ray) {
+  Hit first;
+  for (const auto h : mesh.fh_ccw_range(face)) {
+    const Eigen::Vector2d end = mesh.point(mesh.to_vertex_handle(h));
+    const bool at_end = std::abs(ray.left_by(end)) <= kSnapM;
+    const auto met = at_end ? std::optional(end) : crossing(mesh, h, ray);
+    const double distance_m = met ? ray.direction.dot(*met - ray.point) : 0;
+    if (distance_m > kSnapM && distance_m < first.distance_m) first = {distance_m, h, at_end};
+  }
+  return first;
+}
+
+/// Divides a face at a reflex corner, the end of `edge`, by extending this edge or the next,
+/// whichever is the shorter cut.
+Halves divide_at_reflex(Mesh& mesh, Face face, Halfedge edge) {
+  const Halfedge next = mesh.next_halfedge_handle(edge);
+  const Eigen::Vector2d corner = mesh.point(mesh.to_vertex_handle(edge));
+  const auto ray_from = [&](const Eigen::Vector2d& behind) {
+    return Line{corner, (corner - behind).stableNormalized()};
+  };
+  const Line onward = ray_from(mesh.point(mesh.from_vertex_handle(edge)));
+  const Line back = ray_from(mesh.point(mesh.to_vertex_handle(next)));
+  const Hit ahead = first_hit(mesh, face, onward), behind = first_hit(mesh, face, back);
+  const bool go_on = ahead.distance_m <= behind.distance_m;
+  const Hit& hit = go_on ? ahead : behind;
+  if (!hit.edge.is_valid()) throw std::invalid_argument("the outline is not a simple polygon");
+
+  Halfedge arrives = hit.edge;
+  if (!hit.at_end) {
+    const Eigen::Vector2d met = corner + hit.distance_m * (go_on ? onward : back).direction;
+    const auto vertex = mesh.add_vertex(met);
+    mesh.split_edge(mesh.edge_handle(hit.edge), vertex);
+    if (mesh.to_vertex_handle(arrives) != vertex) arrives = mesh.prev_halfedge_handle(arrives);
+  }
+  return divide(mesh, face, next, arrives);
+}
+
+/// The edge before a corner of more than 180 degrees; invalid if the face is convex.
+Halfedge edge_before_reflex(const Mesh& mesh, Face face) {
+  for (const auto h : mesh.fh_ccw_range(face)) {
+    const Eigen::Vector2d from = mesh.point(mesh.from_vertex_handle(h));
+    const Eigen::Vector2d corner = mesh.point(mesh.to_vertex_handle(h));
+    const Eigen::Vector2d to = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
+    const Line onward{corner, (corner - from).stableNormalized()};
+    if (onward.left_by(to) < -kSnapM) return h;
+  }
+  return Halfedge();
+}
+
+std::vector<Face> convex_faces(Mesh& mesh, const Polygon& outline) {
+  std::vector<Mesh::VertexHandle> corners;
+  for (const Eigen::Vector2d& p : outline) corners.push_back(mesh.add_vertex(p));
+  std::vector<Face> convex, open{mesh.add_face(corners)};
+  while (!open.empty()) {
+    const Face face = open.back();
+    open.pop_back();
+    const Halfedge edge = edge_before_reflex(mesh, face);
+    if (edge.is_valid()) {
+      const Halves halves = divide_at_reflex(mesh, face, edge);
+      open.insert(open.end(), {*halves.right, *halves.left});
+    } else {
+      convex.push_back(face);
+    }
+  }
+  return convex;
+}
+
+/// Lines at right angles to one coordinate, from left to right: along every edge at right angles to
+/// it, and evenly in between.
+std::vector<Line> grid_lines(const std::vector<Polygon>& outlines, Eigen::Index coordinate,
+                             double patch_m) {
+  std::vector<double> stops;
+  for (const Polygon& outline : outlines) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const double here = outline[i][coordinate];
+      const double next = outline[(i + 1) % outline.size()][coordinate];
+      if (std::abs(next - here) <= kSnapM) stops.push_back(here);
+    }
+  }
+  const auto by_coordinate = [coordinate](const auto& p) { return p[coordinate]; };
+  const auto [low, high] = std::ranges::minmax(outlines.front(), {}, by_coordinate);
+  stops.insert(stops.end(), {low[coordinate], high[coordinate]});
+  std::ranges::sort(stops);
+  const auto close = [](double a, double b) { return b - a <= kSnapM; };
+  stops.erase(std::unique(stops.begin(), stops.end(), close), stops.end());
+
+  const Eigen::Vector2d direction =
+      coordinate == 0 ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(-1, 0);
+  std::vector<Line> lines;
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    const double length_m = stops[i] - stops[i - 1];
+    const auto cells = static_cast<int>(std::ceil((length_m - kSnapM) / patch_m));
+    for (int k = 0; k < cells; ++k) {
+      const double stop = stops[i - 1] + k * length_m / cells;
+      lines.push_back({.point = Eigen::Vector2d::Constant(stop), .direction = direction});
+    }
+  }
+  return lines;
+}
+
+/// Cuts out of the faces what lies in the region and labels it. Other faces stay whole.
+std::vector<Face> cut_out(Mesh& mesh, const std::vector<Face>& faces, const Region& region) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& p : region.outline) box.extend(p);
+  std::vector<Face> pieces;
+  for (const Face face : faces) {
+    Eigen::AlignedBox2d extent;
+    for (const auto vertex : mesh.fv_ccw_range(face)) extent.extend(mesh.point(vertex));
+    const bool meets = mesh.label(face) != kCutAway && box.intersects(extent) &&
+                       shared_area(outline_of(mesh, face), region.outline) >= kMinAreaM2;
+    std::optional<Face> inside = face;
+    for (std::size_t i = 0; meets && inside && i < region.outline.size(); ++i) {
+      const Halves halves = cut(mesh, *inside, edge_line(region.outline, i));
+      if (halves.right) pieces.push_back(*halves.right);
+      inside = halves.left;
+    }
+    if (!inside) continue;
+    if (meets) mesh.label(*inside) = region.label;
+    pieces.push_back(*inside);
+  }
+  return pieces;
+}
+
+/// Halves faces across their longest edge until none is longer than patch_m: slanting edges in a
+/// square grid may be.
+std::vector<Face> shorten_edges(Mesh& mesh, std::vector<Face> open, double patch_m) {
+  std::vector<Face> pieces;
+  std::ranges::reverse(open);
+  while (!open.empty()) {
+    const Face face = open.back();
+    open.pop_back();
+    const Polygon outline = without_collinear_corners(outline_of(mesh, face), kStraightM);
+    double longest_m = patch_m + kSnapM;
+    Halves halves;
+    Line across;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Eigen::Vector2d edge = outline[(i + 1) % outline.size()] - outline[i];
+      if (edge.norm() <= longest_m) continue;
+      longest_m = edge.norm();
+      across = {.point = outline[i] + edge / 2,
+                .direction = Eigen::Vector2d(-edge.y(), edge.x()) / longest_m};
+    }
+    if (longest_m > patch_m + kSnapM) halves = cut(mesh, face, across);
+    if (halves.left && halves.right) {
+      open.insert(open.end(), {*halves.right, *halves.left});
+    } else {
+      pieces.push_back(face);
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::vector<Polygon> convex_pieces(const Polygon& outline) {
+  Mesh mesh;
+  std::vector<Polygon> pieces;
+  for (const Face face : convex_faces(mesh, outline)) pieces.push_back(outline_of(mesh, face));
+  return pieces;
+}
+
+std::vector<Piece> cut_surface(const Polygon& outline, const std::vector<Region>& regions,
+                               double patch_m) {
+  std::vector<Polygon> followed{outline};
+  for (const Region& region : regions) {
+    if (region.label != kCutAway) followed.push_back(region.outline);
+  }
+  Mesh mesh;
+  std::vector<Face> rows, faces;
+  cut_by_lines(mesh, convex_faces(mesh, outline), grid_lines(followed, 1, patch_m), rows);
+  const std::vector<Line> columns = grid_lines(followed, 0, patch_m);
+  for (const Face row : rows) cut_by_lines(mesh, {row}, columns, faces);
+  for (const Region& region : regions) faces = cut_out(mesh, faces, region);
+
+  std::vector<Piece> pieces;
+  for (const Face face : shorten_edges(mesh, faces, patch_m)) {
+    const int label = mesh.label(face);
+    if (label == kCutAway) continue;
+    pieces.push_back({without_collinear_corners(outline_of(mesh, face), kStraightM), label});
+  }
+  return pieces;
+}
+
+}  // namespace scenes

@@ -1,0 +1,32 @@
+#pragma once
+#include <vector>
+
+#include "scenes/plane_polygon.h"
+
+namespace scenes {
+
+/// A part of a surface that becomes something else: an opening, a panel, or nothing at all where
+/// furniture touches it.
+struct Region {
+  Polygon outline;  ///< convex
+  int label = 0;
+};
+
+inline constexpr int kCutAway = -1;  ///< the label of what is removed
+
+struct Piece {
+  Polygon outline;  ///< convex, no collinear corners
+  int label = 0;    ///< of the last region that holds it, 0 outside all of them
+};
+
+/// Cuts a simple polygon into convex ones by extending edges at its reflex corners.
+[[nodiscard]] std::vector<Polygon> convex_pieces(const Polygon& outline);
+
+/// Cuts a simple polygon into convex pieces with edges no longer than `patch_m`: evenly by lines
+/// along the two coordinates, which also follow all axis-parallel edges of the outline and of the
+/// regions that stay, and then around each region, where only pieces that meet it are cut. What
+/// lies in a region `kCutAway` is left out. Row by row, always in the same order.
+[[nodiscard]] std::vector<Piece> cut_surface(const Polygon& outline,
+                                             const std::vector<Region>& regions, double patch_m);
+
+}  // namespace scenes
