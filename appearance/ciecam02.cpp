@@ -1,1 +1,262 @@
 #include "appearance/ciecam02.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace appearance {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using spectra::RelativeXyz;
+
+namespace {
+
+const Matrix3d kCat02{
+    {0.7328, 0.4296, -0.1624}, {-0.7036, 1.6975, 0.0061}, {0.0030, 0.0136, 0.9834}};
+const Matrix3d kHuntPointerEstevez{
+    {0.38971, 0.68898, -0.07868}, {-0.22981, 1.18340, 0.04641}, {0, 0, 1}};
+// [Neumann2004] eq. 26 misprints digits of this product, so it is computed.
+const Matrix3d kConesFromCat02 = kHuntPointerEstevez * kCat02.inverse();
+
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
+constexpr double kNoise = 0.305;  // the 0.1 offsets within R'a + G'a + 1.05 B'a
+
+// base^exponent for base >= 0, cheaper than std::pow; its error of 1e-15 instead of 1e-16 is far
+// below what is promised here.
+double positive_power(double base, double exponent) { return std::exp(exponent * std::log(base)); }
+
+// The compression [CIE159] without its offset 0.1, which the sums below contain exactly. So black
+// is exactly 0 and dark colours keep their digits. Negative cones are compressed symmetrically.
+struct Compression {
+  static double forward(double cone) {
+    const double power = positive_power(std::abs(cone), 0.42);
+    return std::copysign(400 * power / (27.13 + power), cone);
+  }
+
+  static double inverse(double response) {
+    const double magnitude = std::abs(response);
+    return std::copysign(std::pow(27.13 * magnitude / (400 - magnitude), 1 / 0.42), response);
+  }
+};
+
+Vector3d compressed(const Vector3d& cones) {
+  return {Compression::forward(cones[0]), Compression::forward(cones[1]),
+          Compression::forward(cones[2])};
+}
+
+Vector3d vector(const RelativeXyz& xyz) { return {xyz.x, xyz.y, xyz.z}; }
+
+/// A / N_bb
+double achromatic(const Vector3d& r) { return 2 * r[0] + r[1] + r[2] / 20; }
+
+struct Opponent {
+  double strength, cos_h, sin_h;  // hypot(a, b), and the direction of (a, b)
+};
+
+Opponent opponent(const Vector3d& r) {
+  const double red_green = (11 * r[0] - 12 * r[1] + r[2]) / 11;  // a
+  const double yellow_blue = (r[0] + r[1] - 2 * r[2]) / 9;       // b
+  const double strength = std::sqrt(red_green * red_green + yellow_blue * yellow_blue);
+  if (strength == 0) return {.strength = 0, .cos_h = 1, .sin_h = 0};
+  return {strength, red_green / strength, yellow_blue / strength};
+}
+
+/// e_t from cos h and sin h: (cos(h + 2 rad) + 3.8) / 4
+double eccentricity(double cos_h, double sin_h) {
+  static const double kCos2 = std::cos(2.0), kSin2 = std::sin(2.0);
+  return (cos_h * kCos2 - sin_h * kSin2 + 3.8) / 4;
+}
+
+struct UniqueHue {
+  double h_deg, e;
+};
+
+// Red, yellow, green, blue, red [CIE159].
+constexpr std::array<UniqueHue, 5> kUniqueHues{
+    {{20.14, 0.8}, {90.00, 0.7}, {164.25, 1.0}, {237.53, 1.2}, {380.14, 0.8}}};
+
+double hue_quadrature(double hue_deg) {
+  const double h = hue_deg < kUniqueHues[0].h_deg ? hue_deg + 360 : hue_deg;
+  const int i =
+      (h >= kUniqueHues[1].h_deg) + (h >= kUniqueHues[2].h_deg) + (h >= kUniqueHues[3].h_deg);
+  const UniqueHue &from = kUniqueHues[i], &next = kUniqueHues[i + 1];
+  const double past = (h - from.h_deg) * next.e, ahead = (next.h_deg - h) * from.e;
+  return 100 * (i + past / (past + ahead));
+}
+
+/// h in [0, 360). The half-angle formula keeps the tangent within -1..1, where atan is fastest.
+double hue_angle_deg(double cos_h, double sin_h) {
+  const double h = 2 * kDegreesPerRadian * std::atan(sin_h / (1 + std::abs(cos_h)));
+  if (cos_h < 0) return 180 - h;
+  if (h >= 0) return h;
+  return h + 360 < 360 ? h + 360 : 0;  // the sum rounds to 360 for the smallest angles
+}
+
+Correlates correlates(const Status& status, double root_j, double alpha, const Opponent& o,
+                      const Adaptation& a) {
+  const double hue_deg = hue_angle_deg(o.cos_h, o.sin_h), chroma = alpha * root_j;
+  const double colourfulness = chroma * a.f_l_4th;
+  const double saturation = a.saturation_scale * std::sqrt(alpha);  // 100 sqrt(M / Q)
+  return {.status = status,
+          .lightness = 100 * root_j * root_j,
+          .chroma = chroma,
+          .hue_deg = hue_deg,
+          .hue_quadrature = hue_quadrature(hue_deg),
+          .brightness = a.brightness_scale * root_j,
+          .colourfulness = colourfulness,
+          .saturation = saturation,
+          .a_c = chroma * o.cos_h,
+          .b_c = chroma * o.sin_h,
+          .a_m = colourfulness * o.cos_h,
+          .b_m = colourfulness * o.sin_h,
+          .a_s = saturation * o.cos_h,
+          .b_s = saturation * o.sin_h};
+}
+
+void require(bool holds, const char* rule, double value) {
+  if (!holds) {
+    throw std::domain_error(fmt::format("CIECAM02 viewing conditions: {}, not {}", rule, value));
+  }
+}
+
+void require_sound(const ViewingConditions& view) {
+  const auto positive = [](double v) { return v > 0 && std::isfinite(v); };
+  const auto& [f, c, n_c] = view.surround;
+  require(positive(view.adapting_luminance_cd_m2), "adapting luminance L_A must be above 0",
+          view.adapting_luminance_cd_m2);
+  require(positive(view.background_y), "background Y_b must be above 0", view.background_y);
+  require(positive(view.white.y), "white Y_w must be above 0", view.white.y);
+  require(std::isfinite(view.white.x), "white X_w must be a number", view.white.x);
+  require(std::isfinite(view.white.z), "white Z_w must be a number", view.white.z);
+  require(f >= 0 && f <= 1, "surround factor F must lie in 0..1", f);
+  require(c > 0 && c <= 2, "surround factor c must lie above 0, up to 2", c);
+  require(n_c > 0 && n_c <= 2, "surround factor N_c must lie above 0, up to 2", n_c);
+}
+
+double luminance_adaptation(double adapting_luminance_cd_m2) {
+  const double l = 5 * adapting_luminance_cd_m2, k4 = std::pow(l + 1, -4);
+  return 0.2 * k4 * l + 0.1 * std::pow(1 - k4, 2) * std::cbrt(l);
+}
+
+}  // namespace
+
+Adaptation adapt(const ViewingConditions& view) {
+  require_sound(view);
+  const Vector3d white = kCat02 * vector(view.white);
+  require((white.array() > 0).all(), "each CAT02 component of the white must be above 0, the least",
+          white.minCoeff());
+
+  const double la = view.adapting_luminance_cd_m2, n = view.background_y / view.white.y;
+  const double f_l = luminance_adaptation(la);
+  const double d = view.surround.f * (1 - std::exp(-(la + 42) / 92) / 3.6);
+  const Vector3d gain = (view.white.y * d / white.array() + 1 - d).matrix();
+
+  Adaptation a{.background_induction = 0.725 * std::pow(n, -0.2),
+               .lightness_exponent = view.surround.c * (1.48 + std::sqrt(n)),
+               .f_l_4th = std::pow(f_l, 0.25),
+               .chroma_factor = std::pow(1.64 - std::pow(0.29, n), 0.73),
+               .cones_from_xyz = f_l / 100 * kConesFromCat02 * gain.asDiagonal() * kCat02,
+               .xyz_from_cones = 100 / f_l * kCat02.inverse() * gain.cwiseInverse().asDiagonal() *
+                                 kConesFromCat02.inverse()};
+  a.white_response =
+      a.background_induction * achromatic(compressed(a.cones_from_xyz * vector(view.white)));
+  require(a.white_response > 0 && std::isfinite(a.white_response),
+          "achromatic response A_w of the white must be above 0", a.white_response);
+  const auto& [f, c, n_c] = view.surround;
+  a.chroma_scale = 50000.0 / 13 * n_c * a.background_induction;
+  a.brightness_scale = 4 / c * (a.white_response + 4) * a.f_l_4th;
+  a.saturation_scale = 50 * std::sqrt(c / (a.white_response + 4));
+  return a;
+}
+
+Correlates ciecam02_forward(const RelativeXyz& sample, const Adaptation& a) {
+  const Vector3d cones = a.cones_from_xyz * vector(sample);
+  const Vector3d r = compressed(cones);
+  const Opponent o = opponent(r);
+  const double response = a.background_induction * achromatic(r);  // A
+  const double denominator = r[0] + r[1] + 1.05 * r[2] + kNoise;   // of t
+  const Status status{.negative_cone = cones.minCoeff() < 0,
+                      .negative_achromatic = response < 0,
+                      .no_chroma_denominator = denominator <= 0};
+
+  // root_j = sqrt(J / 100). What stays undefined is 0 here, and so is all that follows from it.
+  const double root_j = status.negative_achromatic
+                            ? 0
+                            : positive_power(response / a.white_response, a.lightness_exponent / 2);
+  const double t = a.chroma_scale * eccentricity(o.cos_h, o.sin_h) * o.strength / denominator;
+  const double alpha = status.all_defined() ? positive_power(t, 0.9) * a.chroma_factor : 0;
+  if (!std::isfinite(root_j * root_j + alpha)) {
+    throw std::domain_error(fmt::format("CIECAM02: the sample X {} Y {} Z {} is beyond all numbers",
+                                        sample.x, sample.y, sample.z));
+  }
+  return correlates(status, root_j, alpha, o, a);
+}
+
+RelativeXyz ciecam02_inverse(const LightnessChromaHue& wished, const Adaptation& a) {
+  const auto& [lightness, chroma, hue_deg] = wished;
+  const auto no_stimulus = [&] {
+    return std::domain_error(
+        fmt::format("CIECAM02: no stimulus has J {} C {} h {}", lightness, chroma, hue_deg));
+  };
+  const bool finite = std::isfinite(lightness + chroma + hue_deg);
+  if (!finite || lightness < 0 || chroma < 0) throw no_stimulus();
+  if (lightness == 0) {
+    if (chroma > 0) throw no_stimulus();
+    return {};
+  }
+
+  const double relative = lightness / 100;
+  const double t = std::pow(chroma / (std::sqrt(relative) * a.chroma_factor), 1 / 0.9);
+  const double p2 = a.white_response * std::pow(relative, 1 / a.lightness_exponent) /
+                    a.background_induction;  // A / N_bb
+  const double cos_h = std::cos(hue_deg / kDegreesPerRadian);
+  const double sin_h = std::sin(hue_deg / kDegreesPerRadian);
+  const double p1 = a.chroma_scale * eccentricity(cos_h, sin_h);
+  // Where the denominator is not positive, no response however strong gives so much chroma.
+  const double denominator = 23 * p1 + 11 * t * cos_h + 108 * t * sin_h;
+  if (!(denominator > 0)) throw no_stimulus();
+  const double gamma = 23 * (p2 + kNoise) * t / denominator;
+  const double red_green = gamma * cos_h, yellow_blue = gamma * sin_h;
+
+  const Vector3d r = Vector3d(460 * p2 + 451 * red_green + 288 * yellow_blue,
+                              460 * p2 - 891 * red_green - 261 * yellow_blue,
+                              460 * p2 - 220 * red_green - 6300 * yellow_blue) /
+                     1403;
+  if (!(r.cwiseAbs().maxCoeff() < 400)) throw no_stimulus();  // 400: where the cones saturate
+  const Vector3d xyz = a.xyz_from_cones * r.unaryExpr(&Compression::inverse);
+  if (!xyz.allFinite()) throw no_stimulus();
+  return {xyz[0], xyz[1], xyz[2]};
+}
+
+std::string to_string(const Status& status) {
+  std::string names;
+  const auto add = [&](bool flag, const char* name) {
+    if (!flag) return;
+    if (!names.empty()) names += '+';
+    names += name;
+  };
+  add(status.negative_cone, "NEGCONE");
+  add(status.negative_achromatic, "A_NEG");
+  add(status.no_chroma_denominator, "TDEN");
+  return names.empty() ? "OK" : names;
+}
+
+std::string hue_composition(double hue_quadrature) {
+  if (!(hue_quadrature >= 0 && hue_quadrature <= 400)) {
+    throw std::invalid_argument(fmt::format("hue quadrature {}; want 0 to 400", hue_quadrature));
+  }
+  constexpr const char* kNames = "RYGBR";
+  const int from = std::min(static_cast<int>(hue_quadrature / 100), 3);
+  const long next_share = std::lround(hue_quadrature - 100 * from);
+  if (next_share == 0) return fmt::format("100{}", kNames[from]);
+  if (next_share == 100) return fmt::format("100{}", kNames[from + 1]);
+  return fmt::format("{}{} {}{}", 100 - next_share, kNames[from], next_share, kNames[from + 1]);
+}
+
+}  // namespace appearance
