@@ -8,7 +8,7 @@ namespace paints {
 
 struct Paint {
   std::string name;
-  spectra::Spectrum reflectance;  ///< on the transport grid
+  spectra::Spectrum reflectance;  ///< on the grid that was asked for, 0 <= rho < 1
   std::string label;              ///< a hint for people, may be empty
 };
 
@@ -21,7 +21,8 @@ struct Atlas {
 };
 
 /// A compiled-in atlas by name, else a CSV file by path (spectra/spectrum_file.h).
-/// @throws spectra::InputError, spectra::FileError
+/// @throws spectra::InputError  a faulty file, or wavelengths that do not cover the grid
+/// @throws spectra::FileError   neither an atlas nor a readable file
 [[nodiscard]] Atlas load_atlas(const std::string& name_or_path,
                                const spectra::Grid& grid = spectra::kTransportGrid);
 

@@ -16,17 +16,24 @@ struct Target {
   double colourfulness = 0;
 };
 
+/// @throws std::domain_error  if the model leaves J or C undefined
 [[nodiscard]] Target target_of(const appearance::Correlates& correlates);
+
 /// From J, C, h under the standard conditions, where M = C F_L^0.25.
+/// @throws std::domain_error  if they are not finite or J or C is negative
 [[nodiscard]] Target target_of(const appearance::LightnessChromaHue& wished);
 
 /// Rough rejection before any room is solved [Neumann2004] 4.4: a paint whose swatch differs from
-/// the target by more than this is left out. Hue is not tested where either chroma is below 5.
+/// the target by more than this is left out. Hue is not tested where either chroma is below 5, nor
+/// anything where the model does not define the swatch.
 struct Windows {
   std::optional<double> lightness, chroma, hue_deg;
 };
 
+/// jab: Euclidean in J, a_C, b_C [Neumann2004] 4.4. cam02_ucs: Delta E' of [Luo2006].
 enum class Distance { jab, cam02_ucs };
+
+[[nodiscard]] std::string to_string(Distance distance);
 
 struct RankingOptions {
   Windows windows;
@@ -49,7 +56,10 @@ struct Ranking {
       undefined;  ///< names of paints whose appearance the model does not define
 };
 
-/// Every paint of the atlas, by how near it looks in the room to the target.
+/// Every paint of the atlas, by how near it looks in the room to the target. `room` is called once
+/// for each paint that the windows let pass, in the atlas's order; what it throws passes through.
+/// @throws std::invalid_argument  if the target is not finite or a window is not a positive number
+/// @throws std::domain_error      if the room leaves the viewer without light
 [[nodiscard]] Ranking rank(const Atlas& atlas, const Target& target,
                            const spectra::RoomResponse& room, const RankingOptions& options = {});
 

@@ -1,0 +1,21 @@
+#include "appearance/cam02_ucs.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace appearance {
+
+UcsColour cam02_ucs(double lightness, double colourfulness, double hue_deg) {
+  constexpr double kC1 = 0.007, kC2 = 0.0228;
+  const double m = std::log1p(kC2 * colourfulness) / kC2;
+  const double h = hue_deg * std::numbers::pi / 180;
+  return {.j = (1 + 100 * kC1) * lightness / (1 + kC1 * lightness),
+          .a = m * std::cos(h),
+          .b = m * std::sin(h)};
+}
+
+double ucs_distance(const UcsColour& p, const UcsColour& q) {
+  return std::hypot(p.j - q.j, p.a - q.a, p.b - q.b);
+}
+
+}  // namespace appearance
