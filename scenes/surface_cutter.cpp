@@ -229,15 +229,17 @@ std::vector<Line> grid_lines(const std::vector<Polygon>& outlines, Eigen::Index 
   return lines;
 }
 
-/// Cuts out of the faces what lies in the region and labels it. Other faces stay whole.
-std::vector<Face> cut_out(Mesh& mesh, const std::vector<Face>& faces, const Region& region) {
+Eigen::AlignedBox2d bounds(const Polygon& polygon) {
   Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& p : region.outline) box.extend(p);
+  for (const Eigen::Vector2d& p : polygon) box.extend(p);
+  return box;
+}
+
+/// Cuts out of the faces what lies in the region and labels it. Faces beside it stay whole.
+std::vector<Face> cut_out(Mesh& mesh, const std::vector<Face>& faces, const Region& region) {
   std::vector<Face> pieces;
   for (const Face face : faces) {
-    Eigen::AlignedBox2d extent;
-    for (const auto vertex : mesh.fv_ccw_range(face)) extent.extend(mesh.point(vertex));
-    const bool meets = mesh.label(face) != kCutAway && box.intersects(extent) &&
+    const bool meets = mesh.label(face) != kCutAway &&
                        shared_area(outline_of(mesh, face), region.outline) >= kMinAreaM2;
     std::optional<Face> inside = face;
     for (std::size_t i = 0; meets && inside && i < region.outline.size(); ++i) {
@@ -248,6 +250,22 @@ std::vector<Face> cut_out(Mesh& mesh, const std::vector<Face>& faces, const Regi
     if (!inside) continue;
     if (meets) mesh.label(*inside) = region.label;
     pieces.push_back(*inside);
+  }
+  return pieces;
+}
+
+std::vector<Face> cut_out(Mesh& mesh, const std::vector<Face>& faces,
+                          const std::vector<Region>& regions) {
+  std::vector<Eigen::AlignedBox2d> extents;
+  for (const Region& region : regions) extents.push_back(bounds(region.outline));
+  std::vector<Face> pieces;
+  for (const Face face : faces) {
+    const Eigen::AlignedBox2d extent = bounds(outline_of(mesh, face));
+    std::vector<Face> of_face{face};
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      if (extents[i].intersects(extent)) of_face = cut_out(mesh, of_face, regions[i]);
+    }
+    pieces.insert(pieces.end(), of_face.begin(), of_face.end());
   }
   return pieces;
 }
@@ -301,10 +319,9 @@ std::vector<Piece> cut_surface(const Polygon& outline, const std::vector<Region>
   cut_by_lines(mesh, convex_faces(mesh, outline), grid_lines(followed, 1, patch_m), rows);
   const std::vector<Line> columns = grid_lines(followed, 0, patch_m);
   for (const Face row : rows) cut_by_lines(mesh, {row}, columns, faces);
-  for (const Region& region : regions) faces = cut_out(mesh, faces, region);
 
   std::vector<Piece> pieces;
-  for (const Face face : shorten_edges(mesh, faces, patch_m)) {
+  for (const Face face : shorten_edges(mesh, cut_out(mesh, faces, regions), patch_m)) {
     const int label = mesh.label(face);
     if (label == kCutAway) continue;
     pieces.push_back({without_collinear_corners(outline_of(mesh, face), kStraightM), label});
