@@ -44,6 +44,8 @@ const ColourMatching& colour_matching(const Grid& grid) {
   static std::mutex mutex;
   static std::map<std::tuple<double, double, int>, ColourMatching> cache;
 
+  (void)row_of(grid.first_nm);  // before it becomes a key: NaN has no order
+  (void)row_of(grid.last_nm());
   const std::lock_guard lock(mutex);
   const auto [entry, is_new] = cache.try_emplace({grid.first_nm, grid.step_nm, grid.count});
   if (is_new) {

@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 constexpr std::size_t kMaxFaults = 100;
 
+bool ends_cell(char c) { return c == ',' || c == '\r' || c == '\n'; }
+
 /// One pass over the text; a fault in a row does not stop the pass.
 class Parser {
  public:
@@ -105,8 +107,14 @@ class Parser {
     return row;
   }
 
+  std::size_t end_of_cell() const {
+    return static_cast<std::size_t>(
+        std::find_if(text_.begin() + static_cast<std::ptrdiff_t>(at_), text_.end(), ends_cell) -
+        text_.begin());
+  }
+
   std::string read_plain() {
-    const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
+    const std::size_t end = end_of_cell();
     const std::string_view cell = text_.substr(at_, end - at_);
     if (cell.find('"') != cell.npos) {
       fault(here(), "quote inside an unquoted cell", "quote the whole cell, with \"\" for each \"");
@@ -136,10 +144,9 @@ class Parser {
       return cell;
     }
     ++at_;
-    if (at_ < text_.size() &&
-        std::string_view(",\r\n").find(text_[at_]) == std::string_view::npos) {
+    if (at_ < text_.size() && !ends_cell(text_[at_])) {
       fault(here(), "text after a closing quote", "write \"\" for a quote inside a quoted cell");
-      at_ = std::min(text_.find_first_of(",\r\n", at_), text_.size());
+      at_ = end_of_cell();
     }
     return cell;
   }
@@ -193,7 +200,7 @@ std::optional<double> parse_number(std::string_view cell) {
   const std::size_t first = cell.find_first_not_of(" \t"), last = cell.find_last_not_of(" \t");
   if (first == cell.npos) return {};
   cell = cell.substr(first, last - first + 1);
-  if (cell.starts_with('+')) cell.remove_prefix(1);
+  if (cell.starts_with('+') && !cell.starts_with("+-")) cell.remove_prefix(1);
 
   double value = 0;
   const auto [end, error] = std::from_chars(cell.begin(), cell.end(), value);

@@ -8,6 +8,7 @@
 
 #include "appearance/spectra/cie_tables.h"
 #include "appearance/spectra/illuminants.h"
+#include "appearance/spectra/photometry.h"
 
 namespace spectra {
 namespace {
@@ -58,9 +59,9 @@ MatrixXd jacobian(const Problem& p, const VectorXd& unknowns) {
   return j;
 }
 
-/// Newton with a line search: without it some chips of the renotation run away.
+/// Newton from a flat 0.5 with a line search: without it some chips of the renotation run away.
 bool solve(const Problem& p, VectorXd& unknowns) {
-  constexpr int kMaxSteps = 100;
+  constexpr int kMaxSteps = 200;        // chips close to the surface of the solid take up to 150
   constexpr double kTolerance = 1e-12;  // of a Y of 1; the round trip is asked for to 1e-9 of 100
   VectorXd r = residual(p, unknowns);
   for (int step = 0; step < kMaxSteps && !(r.norm() < kTolerance); ++step) {
@@ -97,6 +98,9 @@ Eigen::Matrix3d srgb_to_xyz(const Eigen::Vector3d& white) {
 }  // namespace
 
 Reconstruction reconstruct_reflectance(const RelativeXyz& xyz, const Spectrum& light) {
+  if (!(luminous(light) > 0)) {
+    throw std::invalid_argument("a colour cannot be reconstructed under a light without luminance");
+  }
   const MatrixXd tristimulus = colour_matching(light.grid).array().colwise() * light.values;
   const Problem p{.weights = tristimulus / tristimulus.col(1).sum(),
                   .xyz = Eigen::Vector3d(xyz.x, xyz.y, xyz.z) / 100};

@@ -5,14 +5,13 @@ namespace {
 
 constexpr unsigned char kContinuationLow = 0x80, kContinuationHigh = 0xBF;
 
-/// RFC 3629 section 4: what may follow a lead byte; length 0: no lead byte.
+/// RFC 3629 section 4: what may follow a lead byte; length 0: no lead byte of several.
 struct Sequence {
   std::size_t length = 0;
   unsigned char second_low = kContinuationLow, second_high = kContinuationHigh;
 };
 
 Sequence sequence_of(unsigned char lead) {
-  if (lead < 0x80) return {.length = 1};
   if (lead < 0xC2 || lead > 0xF4) return {};
   if (lead < 0xE0) return {.length = 2};
   if (lead == 0xE0) return {.length = 3, .second_low = 0xA0};
@@ -26,7 +25,12 @@ Sequence sequence_of(unsigned char lead) {
 }  // namespace
 
 std::size_t first_invalid_utf8(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    if (static_cast<unsigned char>(text[at]) < 0x80) {  // the common case, kept quick
+      ++at;
+      continue;
+    }
     const Sequence want = sequence_of(static_cast<unsigned char>(text[at]));
     if (want.length == 0 || at + want.length > text.size()) return at;
     for (std::size_t i = 1; i < want.length; ++i) {
