@@ -1,9 +1,56 @@
 #pragma once
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
+
+#include "scenes/patch_mesh.h"
+#include "solver/facet.h"
+#include "solver/tile_product.h"
+#include "solver/visibility.h"
 
 namespace solver {
 
-struct ExchangeAreas;  // being written
+/// Exchange areas of a closed room, A_i F_ij = d_i X_ij d_j: X symmetric in float, d in double so
+/// that every row sums to A_i. Symmetric scaling keeps reciprocity and is applied after X was
+/// rounded.
+struct ExchangeAreas {
+  SymmetricTiles unscaled;     ///< X, m^2
+  Eigen::ArrayXd scaling;      ///< d; 0 for patches that see nothing
+  Eigen::ArrayXd area_m2;      ///< A
+  Eigen::ArrayXd gather_norm;  ///< sqrt(sum_j F_ij^2 / A_j), 1/m: see error bounds in radiosity.h
+  double closure_defect = 0;   ///< max_i |sum_j F_ij - 1| over patches that see something
+  double reciprocity_defect = 0;   ///< max |A_i F_ij - A_j F_ji| / A_i over what is stored twice
+  double largest_scaling = 0;      ///< max |d_i - 1|: how much closure had to mend
+  std::vector<int> isolated;       ///< patches that see nothing
+  std::int64_t facing_pairs = 0;   ///< that exchange light if nothing is between
+  std::int64_t tested_pairs = 0;   ///< of those, pairs for which rays were needed
+  std::int64_t partial_pairs = 0;  ///< of those, partly hidden
+
+  [[nodiscard]] int patches() const { return static_cast<int>(area_m2.size()); }
+
+  /// F_ij
+  [[nodiscard]] double form_factor(int i, int j) const;
+};
+
+struct ExchangeOptions {
+  std::vector<bool> lamp;  ///< patches that shine get `lamp_rays`; empty: none
+  int rays = 64;           ///< for a pair of which the first 16 rays disagree
+  int lamp_rays = 256;
+};
+
+[[nodiscard]] ExchangeAreas compute_exchange(const scenes::PatchMesh& mesh,
+                                             const Visibility& visibility,
+                                             const ExchangeOptions& options = {});
+
+/// From a symmetric matrix of exchange areas, m^2: rounded to float, then closed.
+/// @throws std::invalid_argument  if it is not square, symmetric and non-negative, or an area is
+/// not positive
+[[nodiscard]] ExchangeAreas close_exchange(const Eigen::MatrixXd& exchange_area_m2,
+                                           const Eigen::ArrayXd& area_m2);
+
+/// Bytes of `unscaled` for a mesh if no tile stays empty.
+[[nodiscard]] std::int64_t exchange_bytes(const scenes::PatchMesh& mesh);
+
+[[nodiscard]] std::vector<Facet> facets_of(const scenes::PatchMesh& mesh);
 
 }  // namespace solver

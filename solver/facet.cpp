@@ -105,16 +105,15 @@ std::vector<QuadraturePoint> quadrature(const std::vector<Vector3d>& polygon, in
   return points;
 }
 
-Vector3d area_point(const std::vector<Vector3d>& polygon, double s, double t) {
-  if (is_rectangle(polygon)) {
+Vector3d area_point(const Facet& facet, double s, double t) {
+  const std::vector<Vector3d>& polygon = facet.vertices;
+  if (facet.rectangle) {
     return polygon[0] + s * (polygon[1] - polygon[0]) + t * (polygon[3] - polygon[0]);
   }
-  double total = 0;
   const auto twice_area = [&](std::size_t i) {
     return (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]).norm();
   };
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) total += twice_area(i);
-  double left = s * total;
+  double left = s * 2 * facet.area_m2;
   std::size_t i = 1;
   while (i + 2 < polygon.size() && left > twice_area(i)) left -= twice_area(i++);
   const double u =

@@ -49,9 +49,8 @@ struct QuadraturePoint {
 [[nodiscard]] std::vector<QuadraturePoint> quadrature(const std::vector<Eigen::Vector3d>& polygon,
                                                       int order);
 
-/// A point of the polygon for (s, t) in the unit square; equal areas of the square map to equal
+/// A point of the facet for (s, t) in the unit square; equal areas of the square map to equal
 /// areas.
-[[nodiscard]] Eigen::Vector3d area_point(const std::vector<Eigen::Vector3d>& polygon, double s,
-                                         double t);
+[[nodiscard]] Eigen::Vector3d area_point(const Facet& facet, double s, double t);
 
 }  // namespace solver

@@ -1,0 +1,192 @@
+#include "solver/gather.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "solver/pair_factor.h"
+#include "solver/patch_rays.h"
+
+namespace solver {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+double row_norm(const VectorXd& weights, const std::vector<double>& area_m2) {
+  const Eigen::Map<const Eigen::ArrayXd> area(area_m2.data(), weights.size());
+  return std::sqrt((weights.array().square() / area).sum());
+}
+
+/// Adds `rays` directions between two cones around the axis, each with the weight f(cosine), to the
+/// patches they meet; plastic-number sequence in (cosine, azimuth), so each ray stands for the same
+/// solid angle.
+template <typename Function>
+void add_directions(const PatchRays& patch_rays, const Vector3d& eye, const Vector3d& axis,
+                    double inner_deg, double outer_deg, int rays, Function weight, VectorXd& sum) {
+  const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
+  const double inner = std::cos(inner_deg * kDegree), outer = std::cos(outer_deg * kDegree);
+  for (int k = 0; k < rays; ++k) {
+    const double s = std::fmod(0.5 + k * 0.75487766624669276, 1);
+    const double t = std::fmod(0.5 + k * 0.56984029099805327, 1);
+    const double cosine = outer + s * (inner - outer), sine = std::sqrt(1 - cosine * cosine);
+    const double azimuth = 2 * std::numbers::pi * t;
+    const Vector3d direction =
+        cosine * axis + sine * (std::cos(azimuth) * u + std::sin(azimuth) * v);
+    const RayHit hit = patch_rays.first_hit(eye, direction);
+    if (hit.patch >= 0) sum[hit.patch] += weight(cosine) * (inner - outer) / rays;
+  }
+}
+
+GatherRow normalised(VectorXd sum, const std::vector<double>& area_m2) {
+  sum /= sum.sum();
+  const double norm = row_norm(sum, area_m2);
+  return {.weights = std::move(sum), .standard_error = VectorXd::Zero(sum.size()), .norm = norm};
+}
+
+bool inside(const std::vector<Vector3d>& polygon, const Vector3d& normal, const Vector3d& p) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector3d& a = polygon[i];
+    const Vector3d& b = polygon[(i + 1) % polygon.size()];
+    if (normal.dot((b - a).cross(p - a)) < -1e-9 * (b - a).norm()) return false;
+  }
+  return true;
+}
+
+/// The surface to look at when the file names no view, and the middle of it.
+std::pair<int, Vector3d> default_target(const scenes::Room& room, const scenes::PatchMesh& mesh) {
+  const auto extent =
+      [&](int s) {  // walls are ranked by length, which beats any other surface's rank
+        const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
+        if (surface.kind == scenes::SurfaceKind::wall) {
+          const auto i = static_cast<std::size_t>(surface.index);
+          return 1e6 + (room.plan_m[(i + 1) % room.plan_m.size()] - room.plan_m[i]).norm();
+        }
+        double area = 0;
+        for (int p = 0; p < mesh.size(); ++p) {
+          if (mesh.surface[static_cast<std::size_t>(p)] == s)
+            area += mesh.area_m2[static_cast<std::size_t>(p)];
+        }
+        return area;
+      };
+  std::vector<int> candidates;
+  if (room.paint) {
+    candidates = room.paint->surfaces;
+  } else {
+    for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
+      if (room.surfaces[static_cast<std::size_t>(s)].kind == scenes::SurfaceKind::wall)
+        candidates.push_back(s);
+    }
+  }
+  const int surface = *std::max_element(candidates.begin(), candidates.end(),
+                                        [&](int a, int b) { return extent(a) < extent(b); });
+  Eigen::AlignedBox3d box;
+  for (int p = 0; p < mesh.size(); ++p) {
+    const auto i = static_cast<std::size_t>(p);
+    if (mesh.surface[i] != surface) continue;
+    for (const Vector3d& vertex : mesh.polygon[i]) box.extend(vertex);
+  }
+  return {surface, box.center()};
+}
+
+/// The point of the surface's patches that is nearest to `middle`: itself where it is free, else a
+/// patch's centre.
+ViewedPoint free_point(const scenes::PatchMesh& mesh, int surface, const Vector3d& middle) {
+  ViewedPoint best{.patch = -1, .surface = surface};
+  double nearest = 1e300;
+  for (int p = 0; p < mesh.size(); ++p) {
+    const auto i = static_cast<std::size_t>(p);
+    if (mesh.surface[i] != surface) continue;
+    const bool has_middle = std::abs(mesh.normal[i].dot(middle - mesh.centre[i])) < 1e-9 &&
+                            inside(mesh.polygon[i], mesh.normal[i], middle);
+    const double distance = has_middle ? 0 : (mesh.centre[i] - middle).norm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best.patch = p;
+    best.point_m = has_middle ? middle : mesh.centre[i];
+    best.normal = mesh.normal[i];
+  }
+  return best;
+}
+
+}  // namespace
+
+GatherRow gather_at_point(const Vector3d& point, const Vector3d& normal,
+                          const std::vector<Facet>& facets, const Visibility& visibility,
+                          const GatherOptions& options) {
+  const auto n = static_cast<Eigen::Index>(facets.size());
+  GatherRow row{.weights = VectorXd::Zero(n), .standard_error = VectorXd::Zero(n)};
+  const SeparationMask mask = visibility.separation(point, normal);
+  double lamps = 0, others = 0;
+  for (std::size_t j = 0; j < facets.size(); ++j) {
+    const Facet& facet = facets[j];
+    if (facet.plane().height_m(point) <= 1e-12) continue;  // on its plane or behind it
+    const auto at = static_cast<Eigen::Index>(j);
+    double weight = point_to_polygon(point, normal, facet.vertices);
+    const bool lamp = !options.lamp.empty() && options.lamp[j];
+    if (weight > 0 && visibility.may_block(mask, static_cast<int>(j))) {
+      const VisibleShare visible =
+          lamp ? visibility.from_point(point, normal, facet, j, options.lamp_error,
+                                       options.most_lamp_rays)
+               : visibility.from_point(point, normal, facet, j, 1, options.rays);
+      row.standard_error[at] = weight * visible.standard_error;
+      weight *= visible.share;
+    }
+    row.weights[at] = weight;
+    (lamp ? lamps : others) += weight;
+  }
+  if (others > 0 && lamps < 1) {
+    const double closing = (1 - lamps) / others;
+    for (std::size_t j = 0; j < facets.size(); ++j) {
+      if (options.lamp.empty() || !options.lamp[j])
+        row.weights[static_cast<Eigen::Index>(j)] *= closing;
+    }
+  }
+  std::vector<double> area;
+  for (const Facet& facet : facets) area.push_back(facet.area_m2);
+  row.norm = row_norm(row.weights, area);
+  return row;
+}
+
+ViewRows view_rows(const Vector3d& eye_m, const Vector3d& look_at_m,
+                   const scenes::PatchMesh& mesh) {
+  const PatchRays rays(mesh);
+  const Vector3d axis = (look_at_m - eye_m).normalized();
+  const auto one = [](double) { return 1.0; };
+  const auto cosine = [](double c) { return c; };
+  VectorXd background = VectorXd::Zero(mesh.size()), field = background, near_axis = background;
+  add_directions(rays, eye_m, axis, 1, 11, kBackgroundRays, one, background);
+  add_directions(rays, eye_m, axis, 11, 90, kFieldRays, one, field);
+  add_directions(rays, eye_m, axis, 0, 90, kFieldRays, cosine, near_axis);
+  return {.background = normalised(std::move(background), mesh.area_m2),
+          .field = normalised(std::move(field), mesh.area_m2),
+          .near_axis = normalised(std::move(near_axis), mesh.area_m2)};
+}
+
+ViewedPoint viewed_point(const scenes::Room& room, const scenes::PatchMesh& mesh) {
+  const PatchRays rays(mesh);
+  if (room.view) {
+    const RayHit hit = rays.first_hit(room.view->eye_m, room.view->look_at_m - room.view->eye_m);
+    if (hit.patch < 0)
+      throw std::invalid_argument("the view ray meets nothing; is the eye in the room?");
+    const auto p = static_cast<std::size_t>(hit.patch);
+    return {.eye_m = room.view->eye_m,
+            .point_m = hit.point_m,
+            .normal = mesh.normal[p],
+            .patch = hit.patch,
+            .surface = mesh.surface[p]};
+  }
+  const auto [surface, middle] = default_target(room, mesh);
+  ViewedPoint viewed = free_point(mesh, surface, middle);
+  if (viewed.patch < 0) throw std::invalid_argument("the painted surface is hidden by furniture");
+  const RayHit opposite = rays.first_hit(viewed.point_m, viewed.normal);
+  const double free_m = opposite.patch < 0 ? 4 : (opposite.point_m - viewed.point_m).norm();
+  viewed.eye_m = viewed.point_m + std::min(2.0, free_m / 2) * viewed.normal;
+  return viewed;
+}
+
+}  // namespace solver

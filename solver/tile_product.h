@@ -1,0 +1,35 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace solver {
+
+/// A symmetric matrix in float: tiles of 64 x 64 on and above the diagonal, row-major inside; tiles
+/// that are all zero are not stored.
+struct SymmetricTiles {
+  static constexpr std::int64_t kAbsent = -1;
+
+  int blocks = 0;                    ///< tiles along an edge
+  std::vector<float> values;         ///< stored tiles, one after another
+  std::vector<std::int64_t> offset;  ///< of tile (row, column), row <= column, in `values`; kAbsent
+
+  [[nodiscard]] std::size_t index(int row, int column) const {
+    const auto r = static_cast<std::size_t>(row), c = static_cast<std::size_t>(column);
+    return r * (2 * static_cast<std::size_t>(blocks) - r + 1) / 2 + (c - r);
+  }
+
+  /// Entry (i, j) of the matrix.
+  [[nodiscard]] float at(int i, int j) const;
+};
+
+/// Columns of the dense operands are padded to a multiple of this.
+inline constexpr std::size_t kColumnPad = 16;
+
+/// y = matrix * b, dense operands row-major with 64 * blocks rows and `columns` (a multiple of
+/// kColumnPad) columns. Every row of y is summed in the order of its tiles, whatever the number of
+/// threads. In double the entries are widened exactly.
+void multiply(const SymmetricTiles& matrix, const float* b, float* y, std::size_t columns);
+void multiply(const SymmetricTiles& matrix, const double* b, double* y, std::size_t columns);
+
+}  // namespace solver

@@ -1,0 +1,81 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "scenes/patch_mesh.h"
+#include "scenes/room.h"
+#include "solver/gather.h"
+#include "solver/radiosity.h"
+
+namespace solver {
+
+/// How many threads the solver uses from now on; results do not depend on it.
+/// @throws std::invalid_argument  unless threads >= 1
+void set_threads(int threads);
+
+/// What a scene does not need and is therefore left out, and why.
+struct Omission {
+  std::string what, why;
+};
+
+/// Made before anything is computed; what it leaves out changes no result beyond rounding.
+struct Plan {
+  int patches = 0;
+  std::int64_t pairs = 0;             ///< of patches that face each other
+  std::int64_t occludable_pairs = 0;  ///< of those, pairs that something might stand between
+  int bands = 0;                      ///< that carry light
+  std::int64_t memory_bytes = 0;      ///< peak, estimated
+  double expected_seconds = 0;        ///< of one core, rough
+  std::vector<Omission> left_out;
+};
+
+/// Pairs are counted exactly up to some thousand patches, beyond that from a sample of rows.
+[[nodiscard]] Plan make_plan(const scenes::Room& room, const scenes::PatchMesh& mesh);
+
+/// The memory that this process may still take, bytes.
+[[nodiscard]] std::int64_t available_memory_bytes();
+
+/// A job cannot fit: exit code 3, with the size and the patch size that would fit.
+class TooLarge : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct TransportOptions {
+  double patch_m = 0;                   ///< 0: the room's own
+  double visibility_error = 1e-3;       ///< aimed at for the visible share of lamps at receivers
+  std::int64_t memory_limit_bytes = 0;  ///< 0: what the machine has free
+};
+
+/// A point where light is read, and how.
+struct ReceiverRow {
+  GatherRow gather;
+  Eigen::ArrayXd direct;  ///< from point lights and sun, W m^-2 nm^-1
+};
+
+/// Everything about a room that does not depend on reflectances. Built once per geometry and
+/// lighting.
+struct RoomTransport {
+  scenes::PatchMesh mesh;
+  ExchangeAreas exchange;
+  Bands emission;             ///< S, patch x band
+  Bands direct;               ///< D
+  double direct_scaling = 0;  ///< how much the flux of point lights and sun had to be mended
+  std::vector<ReceiverRow> receivers;  ///< in the order of Room::receivers
+  ViewedPoint viewed;
+  ReceiverRow viewed_row;
+  ViewRows view;
+  Plan plan;
+  std::map<std::string, double> seconds;                                   ///< per stage
+  double closure_defect = 0, reciprocity_defect = 0, largest_scaling = 0;  ///< of `exchange`
+};
+
+/// @throws TooLarge
+[[nodiscard]] RoomTransport prepare_transport(const scenes::Room& room,
+                                              const TransportOptions& options = {});
+
+}  // namespace solver

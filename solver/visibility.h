@@ -1,0 +1,86 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "scenes/patch_mesh.h"
+#include "scenes/room.h"
+#include "solver/facet.h"
+
+namespace solver {
+
+class RayScene;
+
+/// Which blockers a convex set (patch or point) cannot have in its way. One byte per blocker: bits
+/// 0..5 say that the set lies outside that face plane of the blocker, bit 7 that the blocker lies
+/// behind the set's own plane.
+using SeparationMask = std::vector<std::uint8_t>;
+
+/// A share of light between two convex sets that gets past everything in between.
+struct VisibleShare {
+  double share = 1;           ///< 0..1, weighted by the kernel cos cos / r^2
+  double standard_error = 0;  ///< 0 where no ray was needed or all rays agreed
+};
+
+/// What can stand between patches: furniture, and the walls of a plan that is not convex.
+class Visibility {
+ public:
+  Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh);
+  ~Visibility();
+  Visibility(const Visibility&) = delete;
+  Visibility& operator=(const Visibility&) = delete;
+
+  /// Nothing can block anything: an empty convex room.
+  [[nodiscard]] bool unobstructed() const { return blockers_.empty(); }
+
+  /// False only if no blocker can touch any segment between the two: some face plane of each
+  /// blocker has both sets outside, or the blocker is behind one of them.
+  [[nodiscard]] bool may_block(int patch_i, int patch_j) const;
+  [[nodiscard]] bool may_block(const SeparationMask& set, int patch) const;
+  [[nodiscard]] SeparationMask separation(const Eigen::Vector3d& point,
+                                          const Eigen::Vector3d& normal) const;
+
+  /// Rays between two patches, low-discrepancy, the same for (i, j) and (j, i). The first 16 decide
+  /// if they agree; else as many as `most_rays`.
+  [[nodiscard]] VisibleShare between(const Facet& i, const Facet& j, std::uint64_t seed,
+                                     int most_rays) const;
+
+  /// From a surface element, doubling the rays until the standard error is below `error` or
+  /// `most_rays` are spent.
+  [[nodiscard]] VisibleShare from_point(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                                        const Facet& facet, std::uint64_t seed, double error,
+                                        int most_rays) const;
+
+  /// Where a ray from an area point goes, and how much light it stands for.
+  struct Target {
+    Eigen::Vector3d point_m;
+    double weight = 1;
+  };
+
+  /// From the points of a facet to one target each: a point light, or the sun through an opening.
+  [[nodiscard]] VisibleShare towards(
+      const Facet& facet, std::uint64_t seed, int rays,
+      const std::function<Target(const Eigen::Vector3d&)>& target) const;
+
+  [[nodiscard]] bool open_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+
+ private:
+  struct Blocker {
+    std::vector<Plane> planes;  ///< outside is in front
+    std::vector<Eigen::Vector3d> corners;
+  };
+
+  template <typename Vertices>
+  void separate(const Vertices& vertices, const Plane& own, std::uint8_t* mask) const;
+
+  /// bit k set: segment k is blocked
+  [[nodiscard]] std::uint32_t blocked16(const Eigen::Vector3d* from, const Eigen::Vector3d* to,
+                                        int count) const;
+
+  std::vector<Blocker> blockers_;
+  std::vector<std::uint8_t> patch_masks_;  ///< patch x blocker
+  std::unique_ptr<RayScene> scene_;
+};
+
+}  // namespace solver
