@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 
 #include "appearance/spectra/illuminants.h"
@@ -53,6 +54,10 @@ Samples read_samples(const JsonNode& node, const Limits& limits) {
 CurveReader::CurveReader(spectra::JsonFile& file, const spectra::Grid& grid)
     : file_(file), grid_(grid), folder_(std::filesystem::path(file.path()).parent_path()) {}
 
+Spectrum CurveReader::unreadable() const {
+  return spectra::constant(grid_, std::numeric_limits<double>::quiet_NaN());
+}
+
 std::string CurveReader::resolve(const std::string& path) const {
   return (std::filesystem::path(folder_) / path).string();
 }
@@ -80,15 +85,15 @@ std::optional<Spectrum> CurveReader::on_grid(const JsonNode& node, const Samples
 }
 
 Spectrum CurveReader::reflecting(const JsonNode& node, const Samples& samples) {
-  return on_grid(node, samples, Kind::reflectance).value_or(zero());
+  return on_grid(node, samples, Kind::reflectance).value_or(unreadable());
 }
 
 Spectrum CurveReader::shining(const JsonNode& node, const Samples& samples) {
   const std::optional<Spectrum> light = on_grid(node, samples, Kind::light);
-  if (light && !(spectra::luminous(*light) > 0)) {
+  if (light && spectra::luminous(*light) <= 0) {
     node.fault("the spectrum holds no visible light", "give some power between 400 and 700 nm");
   }
-  return light.value_or(zero());
+  return light.value_or(unreadable());
 }
 
 Reflectance CurveReader::reflectance(const JsonNode& node) {
@@ -104,17 +109,19 @@ Reflectance CurveReader::reflectance(const JsonNode& node) {
   if (node.has("nm") || node.has("values")) {
     return {.spectrum = reflecting(node, read_samples(node, kReflectance)), .name = "from samples"};
   }
-  const JsonObject unknown =
-      node.object({"nm", "values", "paint", "file", "name", "reconstruct_srgb"});
-  unknown.fault("this is no reflectance",
-                "give a number from 0 to below 1, or {\"nm\", \"values\"}, {\"paint\"}, "
-                "{\"file\", \"name\"} or {\"reconstruct_srgb\"}");
-  return {.spectrum = zero()};
+  if (node.is(JsonNode::Kind::object) && !node.empty()) {
+    (void)node.object({"nm", "values", "paint", "file", "name", "reconstruct_srgb"});
+  } else {
+    node.fault("this is no reflectance",
+               "give a number from 0 to below 1, or {\"nm\", \"values\"}, {\"paint\"}, "
+               "{\"file\", \"name\"} or {\"reconstruct_srgb\"}");
+  }
+  return {.spectrum = unreadable()};
 }
 
 Reflectance CurveReader::paint(const JsonNode& node) {
   const std::string name = node.object({"paint"}).name("paint");
-  if (name.empty()) return {.spectrum = zero()};
+  if (name.empty()) return {.spectrum = unreadable()};
   try {
     const auto [set, entry] = spectra::find_paint(name);
     return {.spectrum = reflecting(node, entry->samples),
@@ -124,7 +131,7 @@ Reflectance CurveReader::paint(const JsonNode& node) {
     node.fault(error.what(), "give \"ATLAS:NAME\", the atlas being " +
                                  spectra::alternatives(spectra::atlas_names()));
   }
-  return {.spectrum = zero()};
+  return {.spectrum = unreadable()};
 }
 
 Reflectance CurveReader::reconstructed(const JsonNode& node) {
@@ -137,7 +144,7 @@ Reflectance CurveReader::reconstructed(const JsonNode& node) {
     if (std::isfinite(rgb[0] + rgb[1] + rgb[2])) {
       node.fault("no reflectance below 1 has this colour", "choose a less light or less pure one");
     }
-    return {.spectrum = zero()};
+    return {.spectrum = unreadable()};
   }
   Samples samples;
   for (int k = 0; k < reconstruction.reflectance.grid.count; ++k) {
@@ -194,12 +201,14 @@ Samples CurveReader::curve_of_light(const JsonNode& node) {
   }
   if (node.has("file") || node.has("name")) return from_file(node, Kind::light);
   if (node.has("nm") || node.has("values")) return read_samples(node, kPower);
-  const JsonObject unknown = node.object(
-      {"illuminant", "planck_K", "daylight_K", "lamp", "preset", "nm", "values", "file", "name"});
-  unknown.fault(
-      "this is no spectrum of light",
-      "give {\"illuminant\"}, {\"planck_K\"}, {\"daylight_K\"}, {\"lamp\"}, {\"preset\"}, "
-      "{\"nm\", \"values\"} or {\"file\", \"name\"}");
+  if (node.is(JsonNode::Kind::object) && !node.empty()) {
+    (void)node.object(
+        {"illuminant", "planck_K", "daylight_K", "lamp", "preset", "nm", "values", "file", "name"});
+  } else {
+    node.fault("this is no spectrum of light",
+               "give {\"illuminant\"}, {\"planck_K\"}, {\"daylight_K\"}, {\"lamp\"}, "
+               "{\"preset\"}, {\"nm\", \"values\"} or {\"file\", \"name\"}");
+  }
   return {};
 }
 
@@ -219,7 +228,7 @@ LightShape CurveReader::preset(const JsonNode& node) {
                near.empty() ? "give " + spectra::alternatives(names)
                             : fmt::format("did you mean \"{}\"?", near));
   }
-  return {.spectrum = zero()};
+  return {.spectrum = unreadable()};
 }
 
 const spectra::SpectrumFile* CurveReader::file(const JsonNode& node, const std::string& path,

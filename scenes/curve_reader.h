@@ -24,7 +24,7 @@ struct LightShape {
 };
 
 /// Reads every form of reflectance and light of the room format (scenes/README.md) onto one grid.
-/// Faults are collected in the JSON file; a curve with a fault comes back as 0.
+/// Faults are collected in the JSON file; a curve with a fault comes back as NaN.
 class CurveReader {
  public:
   /// `file` must outlive the reader; paths are relative to its folder.
@@ -56,6 +56,7 @@ class CurveReader {
  private:
   using Kind = spectra::CurveKind;
 
+  [[nodiscard]] spectra::Spectrum unreadable() const;
   void note(const spectra::JsonNode& node, const std::string& what);
   [[nodiscard]] Reflectance paint(const spectra::JsonNode& node);
   [[nodiscard]] Reflectance reconstructed(const spectra::JsonNode& node);

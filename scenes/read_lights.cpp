@@ -42,6 +42,7 @@ double efficacy_lm_W(const JsonObject& light, const LightShape& shape) {
 void RoomReader::read_lights() {
   opening_exitance_.resize(room_.openings.size());
   const auto lights = top_.need("lights");
+  lights_known_ = lights && lights->is(JsonNode::Kind::list);
   if (!lights) return;
   const Places entries = lights->list();
   if (entries.empty() && lights->is(JsonNode::Kind::list)) {
@@ -55,11 +56,11 @@ void RoomReader::read_lights() {
 }
 
 void RoomReader::read_light(const JsonObject& light) {
-  if (!light.node().is(JsonNode::Kind::object)) return;
   const std::string name = light.name("name");
   if (const auto node = light.find("name")) claim_name(*node, name);
   const std::vector<std::string> kinds = present(light, kKinds);
   if (kinds.size() != 1) {
+    lights_known_ = false;
     light.fault(kinds.empty() ? "the light says not what it is"
                               : fmt::format("the light is both {} and {}", kinds[0], kinds[1]),
                 "give exactly one of " + spectra::alternatives(kKinds));
@@ -173,7 +174,8 @@ void RoomReader::check_panel() const {
   }
   for (const Opening& opening : room_.openings) {
     const Polygon other = extent_of(opening);
-    if (opening.wall + 2 == panel.on && is_sound(other) && overlap(extent, other)) {
+    if (opening.wall >= 0 && opening.wall + 2 == panel.on && is_sound(other) &&
+        overlap(extent, other)) {
       place.fault(fmt::format("the panel overlaps the opening \"{}\"", opening.name),
                   "move one of them");
     }
@@ -181,21 +183,26 @@ void RoomReader::check_panel() const {
 }
 
 void RoomReader::read_lit_opening(const LightEntry& entry) {
+  std::vector<std::string> names;
+  for (const Opening& o : room_.openings) names.push_back(o.name);
   const std::string name = entry.kind.name();
-  const auto found = std::ranges::find(room_.openings, name, &Opening::name);
-  const bool known = found != room_.openings.end() && !name.empty();
-  const spectra::Spectrum exitance =
-      emitted(entry.light, {.kind = "lit opening",
-                            .keys = {"flux_lm", "power_W", "illuminance_lx", "exitance_W_m2_nm"},
-                            .area_m2 = known ? found->width_m * found->height_m : NAN});
+  const auto found = std::ranges::find(names, name);
+  const bool known = found != names.end() && !name.empty();
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  const spectra::Spectrum exitance = emitted(
+      entry.light,
+      {.kind = "lit opening",
+       .keys = {"flux_lm", "power_W", "illuminance_lx", "exitance_W_m2_nm"},
+       .area_m2 = known ? room_.openings[index].width_m * room_.openings[index].height_m : NAN});
   if (known) {
-    auto& sum = opening_exitance_[static_cast<std::size_t>(found - room_.openings.begin())];
+    auto& sum = opening_exitance_[index];
     if (!sum) sum = curves_.zero();
     sum->values += exitance.values;
-  } else if (!name.empty() &&
-             std::ranges::find(room_.openings, "", &Opening::name) == room_.openings.end()) {
-    std::vector<std::string> names;
-    for (const Opening& o : room_.openings) names.push_back(o.name);
+    return;
+  }
+  lights_known_ = false;
+  // An opening whose own name could not be read may be the one that is meant.
+  if (!name.empty() && std::ranges::find(names, "") == names.end()) {
     entry.kind.fault(
         fmt::format("there is no opening \"{}\"", name),
         names.empty() ? "add it to \"openings\"" : "give " + spectra::alternatives(names));

@@ -99,7 +99,8 @@ void RoomReader::set_reflectance(Surface& surface, const JsonObject& given,
     surface.reconstructed = chosen->reconstructed;
     return;
   }
-  if (surface.name.empty()) return;
+  const bool may_be_lit = surface.kind == SurfaceKind::opening && !lights_known_;
+  if (surface.name.empty() || may_be_lit) return;
   const std::string as_wall = surface.kind == SurfaceKind::wall ? "\"walls\" or " : "";
   const std::string or_lit = surface.kind == SurfaceKind::opening ? ", or light it" : "";
   given.fault(fmt::format("\"{}\" has no reflectance", surface.name),

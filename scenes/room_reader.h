@@ -94,6 +94,7 @@ class RoomReader {
   Room room_;
   bool walls_known_ = false;  ///< their number, hence their names
   bool plan_sound_ = false;   ///< a simple counter-clockwise polygon and a height
+  bool lights_known_ = true;  ///< which openings are lit
   std::vector<std::string> wall_names_;
   std::vector<std::string> names_;  ///< taken by walls, openings, furniture, lights
   Places opening_places_, box_places_, panel_places_;

@@ -115,9 +115,12 @@ class TreeBuilder : public nlohmann::json::json_sax_t {
     return true;
   }
 
-  bool parse_error(std::size_t, const std::string&,
+  bool parse_error(std::size_t bytes_read, const std::string&,
                    const nlohmann::detail::exception& error) override {
-    fault(tokens_.after_separator(), pointer(), syntax_problem(error.what()),
+    // The parser has read the refused token, but no further.
+    const std::size_t last_byte = std::max<std::size_t>(bytes_read, 1) - 1;
+    fault(std::min(tokens_.after_separator(), last_byte), pointer_of_next(),
+          syntax_problem(error.what()),
           "mend the JSON here: a comma, colon, quote or bracket may be missing or too many");
     return false;
   }
@@ -132,6 +135,15 @@ class TreeBuilder : public nlohmann::json::json_sax_t {
     result_.faults.push_back({offset, std::move(pointer), std::move(problem), std::move(remedy)});
   }
 
+  /// Where a value would stand whose key has been read.
+  [[nodiscard]] std::string pointer_of_next() const {
+    if (open_.empty()) return "";
+    const JsonValue& top = *open_.back().value;
+    return top.keys.size() > top.items.size() ? pointer() + pointer_token(top.keys.back().name)
+                                              : pointer();
+  }
+
+  /// Of the innermost open container.
   [[nodiscard]] std::string pointer() const {
     std::string path;
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {

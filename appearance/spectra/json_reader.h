@@ -56,6 +56,9 @@ class JsonNode {
 
   [[nodiscard]] bool is(Kind kind) const { return value_->kind == kind; }
 
+  /// A list or object without entries, or any other value.
+  [[nodiscard]] bool empty() const { return value_->items.empty(); }
+
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
 
   [[nodiscard]] double number(const Limits& limits = {}) const;
