@@ -33,21 +33,20 @@ double positive_power(double base, double exponent) { return std::exp(exponent *
 
 // The compression [CIE159] without its offset 0.1, which the sums below contain exactly. So black
 // is exactly 0 and dark colours keep their digits. Negative cones are compressed symmetrically.
-struct Compression {
-  static double forward(double cone) {
-    const double power = positive_power(std::abs(cone), 0.42);
-    return std::copysign(400 * power / (27.13 + power), cone);
-  }
-
-  static double inverse(double response) {
-    const double magnitude = std::abs(response);
-    return std::copysign(std::pow(27.13 * magnitude / (400 - magnitude), 1 / 0.42), response);
-  }
-};
-
 Vector3d compressed(const Vector3d& cones) {
-  return {Compression::forward(cones[0]), Compression::forward(cones[1]),
-          Compression::forward(cones[2])};
+  std::array<double, 3> power{};  // |cone|^0.42, all logarithms first: none waits for another
+  for (int i = 0; i < 3; ++i) power[i] = std::log(std::abs(cones[i]));
+  for (double& p : power) p = std::exp(0.42 * p);
+  Vector3d response;
+  for (int i = 0; i < 3; ++i) {
+    response[i] = std::copysign(400 * power[i] / (27.13 + power[i]), cones[i]);
+  }
+  return response;
+}
+
+double expanded(double response) {
+  const double magnitude = std::abs(response);
+  return std::copysign(std::pow(27.13 * magnitude / (400 - magnitude), 1 / 0.42), response);
 }
 
 Vector3d vector(const RelativeXyz& xyz) { return {xyz.x, xyz.y, xyz.z}; }
@@ -229,7 +228,7 @@ RelativeXyz ciecam02_inverse(const LightnessChromaHue& wished, const Adaptation&
                               460 * p2 - 220 * red_green - 6300 * yellow_blue) /
                      1403;
   if (!(r.cwiseAbs().maxCoeff() < 400)) throw no_stimulus();  // 400: where the cones saturate
-  const Vector3d xyz = a.xyz_from_cones * r.unaryExpr(&Compression::inverse);
+  const Vector3d xyz = a.xyz_from_cones * r.unaryExpr(&expanded);
   if (!xyz.allFinite()) throw no_stimulus();
   return {xyz[0], xyz[1], xyz[2]};
 }
