@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <stdexcept>
 
 #include "scenes/surface_cutter.h"
@@ -194,12 +193,19 @@ void cut_into_patches(const WholeFace& face, double patch_m,
   }
 }
 
+void require_room(const Room& room) {
+  if (!(area(room.plan_m) > 0 && room.height_m > 0)) {  // written so that NaN fails too
+    throw std::invalid_argument("the plan is not counter-clockwise, or the height not above 0");
+  }
+}
+
 void require_sensible_patches(const std::vector<WholeFace>& faces, double patch_m) {
   if (!(patch_m > 0)) {
     throw std::invalid_argument(fmt::format("patch_m is {}; want a length above 0", patch_m));
   }
   double area_m2 = 0;
   for (const WholeFace& face : faces) area_m2 += area(face.plane.flatten(face.outline));
+  if (!std::isfinite(area_m2)) throw std::invalid_argument("a coordinate is not finite");
   if (area_m2 / patch_m > kMostPatches * patch_m) {
     throw std::length_error(
         fmt::format("patch_m {} m would make over {:.0e} patches; use at least {:.2g} m", patch_m,
@@ -216,6 +222,7 @@ void append_triangles(const Outline& convex, Occluders& occluders) {
 }  // namespace
 
 PatchMesh mesh_room(const Room& room, double patch_m) {
+  require_room(room);
   std::vector<WholeFace> faces = whole_faces(room);
   require_sensible_patches(faces, patch_m);
   add_contacts(faces);

@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "scenes/room.h"
@@ -21,19 +20,21 @@ struct PatchMesh {
   [[nodiscard]] int size() const { return static_cast<int>(area_m2.size()); }
 };
 
-/// A surface that can hide others: furniture faces always, walls only where the plan is not convex.
-/// Triangles of the closed boundary, for ray tests.
+/// Triangles that can hide others from each other, for ray tests: furniture, and the walls where
+/// the plan is not convex.
 struct Occluders {
-  std::vector<std::array<Eigen::Vector3d, 3>> triangles;
+  std::vector<std::array<Eigen::Vector3d, 3>> triangles;  ///< counter-clockwise seen from the room
 };
 
-/// Cuts every surface into patches no longer than `patch_m` on an edge. Patch edges follow
-/// openings, panels and the contact lines of furniture exactly; faces that touch each other are
-/// removed on both sides.
-/// @throws std::invalid_argument  if patch_m is not positive
+/// Cuts every surface into convex patches with no edge longer than `patch_m`. Patch edges follow
+/// openings, panels and the contact lines of furniture exactly; faces that touch each other (nearer
+/// than 1e-9 m) are removed on both sides. Floors are gridded along their longest edge.
+/// @param room  its boxes lie inside and do not overlap, as scenes::read_room ensures
+/// @throws std::invalid_argument  if patch_m is not positive or the plan is not a simple polygon
+/// @throws std::length_error  if patch_m asks for more than 20 million patches
 [[nodiscard]] PatchMesh mesh_room(const Room& room, double patch_m);
 
-/// Whole faces (walls, floor, ceiling, furniture), not patches: what rays are tested against.
+/// Whole faces, not patches.
 [[nodiscard]] Occluders occluders(const Room& room);
 
 }  // namespace scenes

@@ -186,6 +186,9 @@ std::vector<Face> convex_faces(Mesh& mesh, const Polygon& outline) {
     const Face face = open.back();
     open.pop_back();
     const Halfedge edge = edge_before_reflex(mesh, face);
+    if (convex.size() + open.size() >= outline.size()) {
+      throw std::invalid_argument("the outline is not a simple polygon");
+    }
     if (edge.is_valid()) {
       const Halves halves = divide_at_reflex(mesh, face, edge);
       open.insert(open.end(), {*halves.right, *halves.left});
@@ -220,7 +223,7 @@ std::vector<Line> grid_lines(const std::vector<Polygon>& outlines, Eigen::Index 
   std::vector<Line> lines;
   for (std::size_t i = 1; i < stops.size(); ++i) {
     const double length_m = stops[i] - stops[i - 1];
-    const auto cells = static_cast<int>(std::ceil((length_m - kSnapM) / patch_m));
+    const int cells = std::max(1, static_cast<int>(std::ceil((length_m - kSnapM) / patch_m)));
     for (int k = 0; k < cells; ++k) {
       const double stop = stops[i - 1] + k * length_m / cells;
       lines.push_back({.point = Eigen::Vector2d::Constant(stop), .direction = direction});

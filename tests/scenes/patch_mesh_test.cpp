@@ -66,6 +66,25 @@ std::vector<Case> cases() {
                   0.25});
   list.push_back(
       {"TwelveCorners", RoomBuilder(twelve, 2.4).box({2, 1, 0}, {3, 2, 1}, 45).room(), 0.25});
+  // Joined by a door, and with a corner of 180 degrees in the south wall.
+  list.push_back({"TwoRooms",
+                  RoomBuilder({{0, 0},
+                               {1, 0},
+                               {3, 0},
+                               {3, 1},
+                               {3.1, 1},
+                               {3.1, 0},
+                               {6, 0},
+                               {6, 3},
+                               {3.1, 3},
+                               {3.1, 1.9},
+                               {3, 1.9},
+                               {3, 3},
+                               {0, 3}},
+                              2.5)
+                      .box({2, 2, 0}, {3, 3, 2})
+                      .room(),
+                  0.3});
   list.push_back({"TinyGap", rectangular_room(3, 3, 3).box({1e-6, 1, 0}, {1, 2, 1}).room(), 0.25});
   list.push_back(
       {"FloorToCeiling", rectangular_room(3, 3, 3).box({1, 1, 0}, {1.5, 1.6, 3}).room(), 0.25});
@@ -255,6 +274,13 @@ TEST(MeshRoom, CornersOfAnLShapeAreGridLines) {
   EXPECT_EQ(std::ranges::count(mesh.surface, 0), (4 + 7) * 5 + 4 * 4);
 }
 
+TEST(MeshRoom, WallsInOnePlaneHaveOnePlaneNumber) {
+  const Room room = RoomBuilder({{0, 0}, {2, 0}, {5, 0}, {5, 4}, {0, 4}}, 2.7).room();
+  const PatchMesh mesh = mesh_room(room, 1);
+  EXPECT_EQ(std::set<int>(mesh.plane.begin(), mesh.plane.end()).size(), 6U);
+  EXPECT_EQ(std::set<int>(mesh.surface.begin(), mesh.surface.end()).size(), 7U);
+}
+
 TEST(MeshRoom, RefusesPatchSizesThatMakeNoMesh) {
   const Room room = rectangular_room(5, 4, 2.7).room();
   for (const double patch_m : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
@@ -262,6 +288,28 @@ TEST(MeshRoom, RefusesPatchSizesThatMakeNoMesh) {
   }
   EXPECT_THROW((void)mesh_room(room, 1e-6), std::length_error);
   EXPECT_THROW((void)mesh_room(room, 1e-300), std::length_error);
+}
+
+TEST(MeshRoom, RefusesPlansThatAreNoRoom) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::vector<Eigen::Vector2d>> plans{
+      {},
+      {{0, 0}, {1, 0}},
+      {{0, 0}, {0, 4}, {5, 4}, {5, 0}},  // clockwise
+      {{0, 0}, {5, 0}, {1, 4}, {4, 5}},  // crosses itself, more area to the right
+      {{0, 0}, {5, 0}, {5, nan}, {0, 4}},
+      {{0, 0}, {2, 0}, {2, 2}, {1, -1}, {0, 2}}};  // crosses itself
+  for (const auto& plan : plans) {
+    EXPECT_THROW((void)mesh_room(RoomBuilder(plan, 2.7).room(), 0.25), std::invalid_argument);
+  }
+  EXPECT_THROW((void)mesh_room(rectangular_room(5, 4, 0).room(), 0.25), std::invalid_argument);
+  EXPECT_THROW((void)mesh_room(rectangular_room(5, 4, nan).room(), 0.25), std::invalid_argument);
+}
+
+TEST(MeshRoom, UnboundedPatchesStillFollowTheOpenings) {
+  const Room room = rectangular_room(5, 4, 2.7).opening(0, {1, 1}, {1, 1}).room();
+  const PatchMesh mesh = mesh_room(room, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(mesh.size(), 5 + 9);
 }
 
 TEST(Occluders, AreNoneInAnEmptyConvexRoom) {
