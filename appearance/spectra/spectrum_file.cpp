@@ -103,7 +103,7 @@ SpectrumFile read_spectrum_file(const std::string& path, CurveKind kind) {
   double largest = 0;
   for (const CsvRow& row : csv.rows) {
     std::vector<double> values = numbers(csv, row, faults);
-    largest = std::max(largest, *std::max_element(values.begin(), values.end()));
+    for (const double value : values) largest = std::max(largest, value);
     file.set.entries.push_back(
         {.name = row.cells[0], .samples = {.nm = nm, .values = std::move(values)}, .label = ""});
   }

@@ -36,8 +36,8 @@ SpectrumSet measured_set(CompiledTable table, std::string name, std::string sour
 }
 
 SpectrumSet renotation_set() {
-  constexpr double kMagnesiumOxide =
-      0.975;  // Y of the tables' white on the absolute scale [Newhall1943]
+  // Y of the tables' white, magnesium oxide, on the scale of a perfect diffuser [Newhall1943].
+  constexpr double kMagnesiumOxide = 0.975;
   const Spectrum light = light_on(kTransportGrid, illuminant("C"));
   std::vector<double> nm;
   for (int k = 0; k < kTransportGrid.count; ++k) nm.push_back(kTransportGrid.wavelength_nm(k));

@@ -23,7 +23,8 @@ struct SpectrumSet {
 };
 
 /// Compiled-in atlases: "munsell-nickerson" (462 measured papers, 001..462), "munsell-renotation"
-/// (2734 chips, reconstructed on first use). Loaded once; the reference stays valid.
+/// (2724 chips, reconstructed on first use; `source` counts those left out because no reflectance
+/// has their colour). Loaded once; the reference stays valid.
 /// @throws std::invalid_argument  naming the known atlases
 [[nodiscard]] const SpectrumSet& atlas(std::string_view name);
 [[nodiscard]] const std::vector<std::string>& atlas_names();
