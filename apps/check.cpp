@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "apps/commands.h"
+#include "apps/room_options.h"
+#include "apps/run_record.h"
+#include "apps/terminal.h"
+#include "scenes/room_json.h"
+
+namespace apps {
+namespace {
+
+constexpr double kNoCut_m = 1e9;  // a patch edge longer than any room: faces stay whole
+
+std::string plan_text(const scenes::Room& room, const solver::Plan& plan) {
+  std::string text = table(
+      "<>", {{"plan of " + (room.name.empty() ? "the room" : room.name), ""},
+             {"patches", fmt::format("{}", plan.patches)},
+             {"pairs that face each other", fmt::format("{}", plan.pairs)},
+             {"pairs that something may block", fmt::format("{}", plan.occludable_pairs)},
+             {"bands with light", fmt::format("{}", plan.bands)},
+             {"memory", fmt::format("{:.1f} MB", static_cast<double>(plan.memory_bytes) * 1e-6)},
+             {"expected time on one core", fmt::format("{:.2f} s", plan.expected_seconds)}});
+  for (const auto& [what, why] : plan.left_out)
+    text += fmt::format("left out: {}: {}\n", what, why);
+  return text;
+}
+
+void require_memory(const std::string& room, double bytes) {
+  const auto available_bytes = static_cast<double>(solver::available_memory_bytes());
+  if (bytes <= available_bytes) return;
+  throw solver::TooLarge(
+      fmt::format("{}: needs {:.3g} GB, {:.3g} GB are free; solve it with a larger --patch-m", room,
+                  bytes * 1e-9, available_bytes * 1e-9));
+}
+
+/// What the exchange areas of patches of this size must take, known before there is a mesh.
+double least_memory_bytes(const scenes::Room& room, double patch_m) {
+  const std::vector<double> area_m2 = scenes::mesh_room(room, kNoCut_m).area_m2;
+  const double patches = std::accumulate(area_m2.begin(), area_m2.end(), 0.0) / (patch_m * patch_m);
+  return patches * patches / 2 * sizeof(float);
+}
+
+}  // namespace
+
+Exit check_room(const RoomCommand& command, const Session& session) {
+  const scenes::Room room = scenes::read_room(command.room);
+  report_notes(room.notes);
+  const double patch_m = command.options.patch_m > 0 ? command.options.patch_m : room.patch_m;
+  require_memory(command.room, least_memory_bytes(room, patch_m));
+  const solver::Plan plan = solver::make_plan(room, scenes::mesh_room(room, patch_m));
+  if (session.json) {
+    Json data = describe(plan);
+    data["available_memory_bytes"] = solver::available_memory_bytes();
+    data["room"] = describe(room);
+    fmt::print("{}\n", data.dump(2));
+  } else {
+    fmt::print("{}", plan_text(room, plan));
+  }
+  require_memory(command.room, static_cast<double>(plan.memory_bytes));
+  return Exit::done;
+}
+
+}  // namespace apps

@@ -1,0 +1,49 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "appearance/ciecam02.h"
+#include "apps/room_options.h"
+#include "paints/ranking.h"
+
+namespace apps {
+
+/// Correlates as they are reported: nothing where the model leaves one undefined.
+struct Reported {
+  explicit Reported(const appearance::Correlates& correlates);
+
+  std::optional<double> j, c, q, m, s, a_c, b_c, a_m, b_m, a_s, b_s;
+  double h_deg, hue_quadrature;
+};
+
+/// A colour under one viewing condition.
+struct Seen {
+  spectra::RelativeXyz xyz;
+  appearance::Correlates correlates;
+};
+
+/// A paint as on the swatch and as on a surface of the room.
+struct Shift {
+  std::string paint, surface;
+  bool reconstructed = false;  ///< its spectrum was computed from a colour, not measured
+  Seen swatch, room;
+};
+
+/// shift.csv: conditions swatch, room, and change with hue differences taken the short way round.
+[[nodiscard]] std::string shift_csv(const std::vector<Shift>& shifts);
+[[nodiscard]] Json shift_list(const std::vector<Shift>& shifts);
+[[nodiscard]] std::string shift_table(const std::vector<Shift>& shifts);
+
+/// Chroma and hue, swatch -> room: "21.3 -> 27.9", and with `hue` "48.1 -> 45.0".
+[[nodiscard]] std::string chroma_arrow(const Shift& shift);
+[[nodiscard]] std::string hue_arrow(const Shift& shift);
+
+/// "munsell-nickerson:117", as a room file would name it; a paint of an atlas file by its own name.
+[[nodiscard]] std::string paint_name(const paints::Atlas& atlas, const paints::Paint& paint);
+
+/// ranking.csv: the first `top` paints, compared with the target.
+[[nodiscard]] std::string ranking_csv(const paints::Ranking& ranking, const paints::Atlas& atlas,
+                                      const paints::Target& target, int top);
+
+}  // namespace apps

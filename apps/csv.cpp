@@ -1,0 +1,49 @@
+#include "apps/csv.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace apps {
+
+CsvText::CsvText(std::string_view header) : text_(header) { end_row(); }
+
+CsvText& CsvText::cell(std::string_view text) {
+  separate();
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    text_ += text;
+    return *this;
+  }
+  text_ += '"';
+  for (const char c : text) text_.append(c == '"' ? 2 : 1, c);
+  text_ += '"';
+  return *this;
+}
+
+CsvText& CsvText::cell(double value) {
+  separate();
+  fmt::format_to(std::back_inserter(text_), "{}", value);
+  return *this;
+}
+
+CsvText& CsvText::cell(int value) {
+  separate();
+  fmt::format_to(std::back_inserter(text_), "{}", value);
+  return *this;
+}
+
+CsvText& CsvText::cell(std::optional<double> value) {
+  return value ? cell(*value) : cell(std::string_view());
+}
+
+void CsvText::end_row() {
+  text_ += "\r\n";
+  at_row_start_ = true;
+}
+
+void CsvText::separate() {
+  if (!at_row_start_) text_ += ',';
+  at_row_start_ = false;
+}
+
+}  // namespace apps

@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace apps {
+
+/// Text of a CSV file [RFC4180]: cells quoted where they must be, rows ended by CR LF, numbers as
+/// the shortest decimals that read back as the same double.
+class CsvText {
+ public:
+  CsvText() = default;
+  /// `header` is written as it stands: names with commas between them.
+  explicit CsvText(std::string_view header);
+
+  CsvText& cell(std::string_view text);
+  CsvText& cell(double value);
+  CsvText& cell(int value);
+  CsvText& cell(std::optional<double> value);  ///< an empty cell where there is no value
+  void end_row();
+
+  [[nodiscard]] std::string take() { return std::move(text_); }
+
+ private:
+  void separate();
+
+  std::string text_;
+  bool at_row_start_ = true;
+};
+
+}  // namespace apps

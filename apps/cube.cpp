@@ -1,0 +1,20 @@
+#include "apps/closed_form_report.h"
+#include "scenes/closed_form_json.h"
+
+namespace apps {
+
+Exit solve_cube(const FileCommand& command, const Session& session) {
+  const scenes::CubeFile cube = scenes::read_cube(command.in);
+  const solver::CubeFactors factors =
+      cube.exact_form_factors ? solver::exact_cube_factors() : solver::CubeFactors{};
+  write_report({.subcommand = "cube",
+                .form_factors = cube.exact_form_factors ? "exact" : "paper",
+                .part_names = {"B1", "B2", "B3", "B4", "B5", "B6"},
+                .notes = cube.notes,
+                .radiosity = solver::cube_radiosity(parts_of(cube.emission),
+                                                    parts_of(cube.reflectance), factors)},
+               command, session);
+  return Exit::done;
+}
+
+}  // namespace apps

@@ -1,0 +1,160 @@
+#include "apps/output_files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <pthread.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "appearance/spectra/input_error.h"
+
+namespace apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Held while temporaries become files, so that a signal cannot end the program half-way.
+std::mutex& commit_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// Temporaries and folders that disappear again unless keep() is called.
+class Unfinished {
+ public:
+  Unfinished() {
+    const std::scoped_lock lock(commit_mutex());
+    active() = this;
+  }
+
+  ~Unfinished() {
+    const std::scoped_lock lock(commit_mutex());
+    remove_all();
+  }
+
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+
+  void add(const fs::path& path) {
+    const std::scoped_lock lock(commit_mutex());
+    paths_.push_back(path);
+  }
+
+  void keep() { paths_.clear(); }
+
+  /// The caller holds commit_mutex().
+  void remove_all() {
+    std::error_code ignored;
+    for (auto path = paths_.rbegin(); path != paths_.rend(); ++path) fs::remove(*path, ignored);
+    paths_.clear();
+    active() = nullptr;
+  }
+
+  static Unfinished*& active() {
+    static Unfinished* unfinished = nullptr;
+    return unfinished;
+  }
+
+ private:
+  std::vector<fs::path> paths_;  // in the order they were made: folders before what is in them
+};
+
+[[noreturn]] void fail(const fs::path& path, const std::string& problem) {
+  throw spectra::FileError(fmt::format("{}: cannot be written: {}", path.string(), problem));
+}
+
+[[noreturn]] void fail(const fs::path& path) { fail(path, std::strerror(errno)); }
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+void make_folders(const fs::path& folder, Unfinished& unfinished) {
+  if (folder.empty() || fs::is_directory(folder)) return;
+  make_folders(folder.parent_path(), unfinished);
+  if (::mkdir(folder.c_str(), 0777) == 0) {
+    unfinished.add(folder);
+  } else if (errno != EEXIST) {
+    fail(folder);
+  }
+}
+
+/// A link is followed, so that the file it names is replaced and not the link.
+fs::path target_of(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return path;
+  if (!fs::is_regular_file(status)) fail(path, "it exists and is no regular file");
+  return fs::canonical(path);
+}
+
+void write_and_flush(const fs::path& path, std::string_view text) {
+  const int descriptor =
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail(path);
+  bool written = true;
+  while (written && !text.empty()) {
+    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    written = count > 0 || (count < 0 && errno == EINTR);
+    if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  written = written && ::fsync(descriptor) == 0;
+  const int problem = errno;
+  ::close(descriptor);
+  errno = problem;
+  if (!written) fail(path);
+}
+
+}  // namespace
+
+void require_writable(const fs::path& folder) {
+  fs::path existing = folder.empty() ? fs::path(".") : folder;
+  while (!existing.empty() && !fs::exists(fs::symlink_status(existing))) {
+    existing = existing.parent_path();
+  }
+  if (existing.empty()) existing = ".";
+  if (!fs::is_directory(existing)) fail(existing, "it is no folder");
+  if (::access(existing.c_str(), W_OK | X_OK) != 0) fail(existing);
+}
+
+void write_files(const std::vector<OutputFile>& files) {
+  Unfinished unfinished;
+  std::vector<std::pair<fs::path, fs::path>> renames;
+  for (const OutputFile& file : files) {
+    make_folders(folder_of(file.path), unfinished);
+    const fs::path target = target_of(file.path);
+    const fs::path temporary =
+        folder_of(target) / fmt::format(".{}.{}.tmp", target.filename().string(), ::getpid());
+    unfinished.add(temporary);
+    write_and_flush(temporary, file.text);
+    renames.emplace_back(temporary, target);
+  }
+  const std::scoped_lock lock(commit_mutex());
+  for (const auto& [temporary, target] : renames) {
+    if (::rename(temporary.c_str(), target.c_str()) != 0) fail(target);
+  }
+  unfinished.keep();
+}
+
+void exit_cleanly_on_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals] {
+    int signal = 0;
+    sigwait(&signals, &signal);
+    const std::scoped_lock lock(commit_mutex());
+    if (Unfinished::active() != nullptr) Unfinished::active()->remove_all();
+    ::_exit(128 + signal);
+  }).detach();
+}
+
+}  // namespace apps

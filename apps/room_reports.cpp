@@ -1,0 +1,60 @@
+#include "apps/room_reports.h"
+
+#include <fmt/format.h>
+
+#include "appearance/spectra/photometry.h"
+#include "apps/csv.h"
+
+namespace apps {
+namespace {
+
+/// ",E400,E410,...,E700"
+std::string band_names(const spectra::Grid& grid, char quantity) {
+  std::string names;
+  for (int k = 0; k < grid.count; ++k) {
+    names += fmt::format(",{}{}", quantity, grid.wavelength_nm(k));
+  }
+  return names;
+}
+
+void point_cells(CsvText& csv, const Eigen::Vector3d& point_m) {
+  csv.cell(point_m.x()).cell(point_m.y()).cell(point_m.z());
+}
+
+}  // namespace
+
+double illuminance_lx(const scenes::Room& room, const solver::ReceiverLight& light) {
+  return spectra::luminous({.grid = room.grid, .values = light.irradiance});
+}
+
+std::string receivers_csv(const scenes::Room& room, const solver::RoomSolution& solution) {
+  CsvText csv("receiver,x_m,y_m,z_m,illuminance_lx" + band_names(room.grid, 'E') +
+              ",solver_error_bound,visibility_error");
+  for (std::size_t i = 0; i < room.receivers.size(); ++i) {
+    const solver::ReceiverLight& light = solution.receivers[i];
+    csv.cell(room.receivers[i].name);
+    point_cells(csv, room.receivers[i].at_m);
+    csv.cell(illuminance_lx(room, light));
+    for (const double band : light.irradiance) csv.cell(band);
+    csv.cell(light.solver_error_bound).cell(light.visibility_error).end_row();
+  }
+  return csv.take();
+}
+
+std::string patches_csv(const scenes::Room& room, const scenes::PatchMesh& mesh,
+                        const solver::RadiositySolution& radiosity) {
+  CsvText csv("patch,surface,x_m,y_m,z_m,area_m2" + band_names(room.grid, 'H') +
+              band_names(room.grid, 'B'));
+  for (int patch = 0; patch < mesh.size(); ++patch) {
+    const auto i = static_cast<std::size_t>(patch);
+    csv.cell(patch).cell(room.surfaces[static_cast<std::size_t>(mesh.surface[i])].name);
+    point_cells(csv, mesh.centre[i]);
+    csv.cell(mesh.area_m2[i]);
+    for (const double band : radiosity.irradiance.row(patch)) csv.cell(band);
+    for (const double band : radiosity.radiosity.row(patch)) csv.cell(band);
+    csv.end_row();
+  }
+  return csv.take();
+}
+
+}  // namespace apps

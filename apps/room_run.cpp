@@ -1,0 +1,107 @@
+#include "apps/room_run.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "scenes/room_json.h"
+
+namespace apps {
+namespace {
+
+constexpr double kNoCut_m = 1e9;  // a patch edge longer than any room: faces stay whole
+
+}  // namespace
+
+void StageClock::stop(const std::string& stage) {
+  const auto now = std::chrono::steady_clock::now();
+  seconds_[stage] += std::chrono::duration<double>(now - last_).count();
+  last_ = now;
+}
+
+double StageClock::total_seconds() const {
+  double total = 0;
+  for (const auto& [stage, seconds] : seconds_) total += seconds;
+  return total;
+}
+
+RoomRun open_room(const std::string& path, const std::string& subcommand, const Json& options,
+                  const Session& session) {
+  RoomRun run{.path = path, .room = {}, .record = {}, .clock = {}, .transport = {}};
+  run.room = scenes::read_room(path);
+  run.clock.stop("read");
+  run.record = begin_record(run_identity(subcommand, path, options), session);
+  run.record["room"] = describe(run.room);
+  run.record["grid"] = describe(run.room.grid);
+  report_notes(run.room.notes);
+  return run;
+}
+
+void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::path& out) {
+  require_writable(out);
+  (void)viewed_point(run);  // if nothing can be looked at, say so before the long work
+  run.transport = solver::prepare_transport(run.room, {.patch_m = options.patch_m});
+  run.clock.stop("transport");
+  run.record["transport"] = describe(run.transport);
+}
+
+spectra::InputError room_fault(const RoomRun& run, const std::string& pointer,
+                               const std::string& problem, const std::string& remedy) {
+  return spectra::InputError({{.file = run.path,
+                               .line = 0,
+                               .column = 0,
+                               .pointer = pointer,
+                               .problem = problem,
+                               .remedy = remedy}});
+}
+
+appearance::RoomView view_of(const RoomRun& run, const solver::RoomSolution& solution) {
+  try {
+    const spectra::ViewedLight light = solver::viewed_light(run.room, run.transport, solution);
+    return appearance::view_of_room(light, run.room.viewing);
+  } catch (const std::domain_error& error) {
+    throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
+  }
+}
+
+solver::ViewedPoint viewed_point(const RoomRun& run) {
+  try {
+    return solver::viewed_point(run.room, scenes::mesh_room(run.room, kNoCut_m));
+  } catch (const std::invalid_argument& error) {
+    throw room_fault(run, "/view", error.what(), "give a view that meets a painted surface");
+  }
+}
+
+const std::string& surface_name(const RoomRun& run, const solver::ViewedPoint& at) {
+  return run.room.surfaces[static_cast<std::size_t>(at.surface)].name;
+}
+
+RunResult finish(RoomRun& run, bool converged, std::vector<OutputFile> files,
+                 const std::filesystem::path& out) {
+  Json& record = run.record;
+  record["status"] = converged ? "done" : "not converged";
+  record["seconds"] = run.clock.seconds();
+  record["seconds"]["total"] = run.clock.total_seconds();
+  record["seconds"]["transport_stages"] = run.transport.seconds;
+  record["peak_memory_bytes"] = peak_memory_bytes();
+  record["outputs"] = Json::array();
+  for (const OutputFile& file : files) record["outputs"].push_back(file.path.filename().string());
+  files.push_back(run_json(out, record));
+  write_files(files);
+  report_written(files);
+  if (!converged) {
+    fmt::print(stderr, "not converged: the outputs are marked in run.json; see its error bounds\n");
+  }
+  return {.exit = converged ? Exit::done : Exit::not_converged,
+          .record = record,
+          .data = {},
+          .text = {}};
+}
+
+Exit print_result(const RunResult& result, const Session& session) {
+  fmt::print("{}", session.json ? result.data.dump(2) + "\n" : result.text);
+  return result.exit;
+}
+
+}  // namespace apps

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "apps/commands.h"
+#include "apps/painted_room.h"
+
+namespace apps {
+namespace {
+
+/// A point of each painted surface: what the room's view meets, or the default view of the surface.
+std::vector<solver::ViewedPoint> views_of(const RoomRun& run) {
+  std::vector<solver::ViewedPoint> views;
+  const solver::ViewedPoint chosen = viewed_point(run);
+  for (const int surface : run.room.paint->surfaces) {
+    RoomRun alone{.path = run.path, .room = run.room};
+    alone.room.paint->surfaces = {surface};
+    alone.room.view.reset();
+    views.push_back(surface == chosen.surface ? chosen : viewed_point(alone));
+  }
+  return views;
+}
+
+/// The solution as seen at the k-th view, whose light is that of the k-th receiver.
+appearance::RoomView look(RoomRun& run, solver::RoomSolution& solution,
+                          const solver::ViewedPoint& at, std::size_t k) {
+  run.transport.viewed = at;
+  run.transport.view = solver::view_rows(at.eye_m, at.point_m, run.transport.mesh);
+  solution.viewed = solution.receivers[k];
+  solution.viewed_reflectance = run.room.surfaces[static_cast<std::size_t>(at.surface)].reflectance;
+  return view_of(run, solution);
+}
+
+/// What the room file calls the paint of a surface; the surface's own name where it names none.
+std::string paint_of(const Json& room_file, const scenes::Surface& surface) {
+  const Json& surfaces = room_file["surfaces"];
+  const std::string key = surfaces.contains(surface.name) ? surface.name : "walls";
+  const Json reflectance = surfaces.value(key, Json());
+  return reflectance.is_object() ? reflectance.value("paint", surface.name) : surface.name;
+}
+
+}  // namespace
+
+Exit shift_room(const RoomCommand& command, const Session& session) {
+  const std::filesystem::path out = command.out;
+  RoomRun run = open_room(command.room, "shift", to_json(command.options), session);
+  if (!run.room.paint) {
+    throw room_fault(run, "/paint", "is missing, and shift needs it",
+                     "name the surfaces, e.g. { \"surfaces\": [\"walls\"] }");
+  }
+  const std::vector<solver::ViewedPoint> views = views_of(run);
+  run.room.receivers.clear();
+  for (const solver::ViewedPoint& at : views) {
+    run.room.receivers.push_back({surface_name(run, at), at.point_m, at.normal});
+  }
+  prepare(run, command.options, out);
+  solver::RoomSolution solution =
+      solver::solve_room(run.room, run.transport, command.options.radiosity);
+  run.clock.stop("solve");
+  run.record["solution"] = describe(solution, run.room);
+
+  std::ifstream file(command.room);
+  const Json room_file = Json::parse(file);
+  std::vector<Shift> shifts;
+  run.record["viewing"] = Json::array();
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const auto& surface = run.room.surfaces[static_cast<std::size_t>(views[k].surface)];
+    const appearance::RoomView view = look(run, solution, views[k], k);
+    run.record["viewing"].push_back(describe(view, run.room, views[k]));
+    shifts.push_back({.paint = paint_of(room_file, surface),
+                      .surface = surface.name,
+                      .reconstructed = surface.reconstructed,
+                      .swatch = seen_on_swatch(surface.reflectance),
+                      .room = seen_in_room(view)});
+  }
+  run.clock.stop("view");
+
+  RunResult result = finish(run, solution.radiosity.converged,
+                            {{.path = out / "shift.csv", .text = shift_csv(shifts)}}, out);
+  result.text = shift_table(shifts);
+  result.data = {{"status", result.record["status"]},
+                 {"folder", out.string()},
+                 {"shifts", shift_list(shifts)}};
+  return print_result(result, session);
+}
+
+}  // namespace apps
