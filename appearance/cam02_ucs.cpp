@@ -5,8 +5,14 @@
 
 namespace appearance {
 
-UcsColour cam02_ucs(double lightness, double colourfulness, double hue_deg) {
-  constexpr double kC1 = 0.007, kC2 = 0.0228;
+namespace {
+
+constexpr double kC1 = 0.007, kC2 = 0.0228;  // the uniform space; LCD and SCD have others
+
+}  // namespace
+
+UcsColour cam02_ucs(const LightnessColourfulnessHue& colour) {
+  const auto& [lightness, colourfulness, hue_deg] = colour;
   const double m = std::log1p(kC2 * colourfulness) / kC2;
   const double h = hue_deg * std::numbers::pi / 180;
   return {.j = (1 + 100 * kC1) * lightness / (1 + kC1 * lightness),

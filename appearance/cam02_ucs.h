@@ -8,8 +8,12 @@ struct UcsColour {
   double j = 0, a = 0, b = 0;
 };
 
-/// From J, M and h of CIECAM02.
-[[nodiscard]] UcsColour cam02_ucs(double lightness, double colourfulness, double hue_deg);
+/// J, M and h of CIECAM02.
+struct LightnessColourfulnessHue {
+  double lightness = 0, colourfulness = 0, hue_deg = 0;
+};
+
+[[nodiscard]] UcsColour cam02_ucs(const LightnessColourfulnessHue& colour);
 
 /// Delta E' with K_L = 1: the Euclidean distance.
 [[nodiscard]] double ucs_distance(const UcsColour& p, const UcsColour& q);

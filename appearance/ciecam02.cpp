@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
 
 namespace appearance {
 
@@ -68,8 +69,7 @@ Opponent opponent(const Vector3d& r) {
 
 /// e_t from cos h and sin h: (cos(h + 2 rad) + 3.8) / 4
 double eccentricity(double cos_h, double sin_h) {
-  static const double kCos2 = std::cos(2.0), kSin2 = std::sin(2.0);
-  return (cos_h * kCos2 - sin_h * kSin2 + 3.8) / 4;
+  return (cos_h * std::cos(2.0) - sin_h * std::sin(2.0) + 3.8) / 4;
 }
 
 struct UniqueHue {
@@ -82,11 +82,11 @@ constexpr std::array<UniqueHue, 5> kUniqueHues{
 
 double hue_quadrature(double hue_deg) {
   const double h = hue_deg < kUniqueHues[0].h_deg ? hue_deg + 360 : hue_deg;
-  const int i =
-      (h >= kUniqueHues[1].h_deg) + (h >= kUniqueHues[2].h_deg) + (h >= kUniqueHues[3].h_deg);
+  std::size_t i = 0;
+  while (i < 3 && h >= kUniqueHues[i + 1].h_deg) ++i;
   const UniqueHue &from = kUniqueHues[i], &next = kUniqueHues[i + 1];
   const double past = (h - from.h_deg) * next.e, ahead = (next.h_deg - h) * from.e;
-  return 100 * (i + past / (past + ahead));
+  return 100 * (static_cast<double>(i) + past / (past + ahead));
 }
 
 /// h in [0, 360). The half-angle formula keeps the tangent within -1..1, where atan is fastest.
@@ -250,12 +250,12 @@ std::string hue_composition(double hue_quadrature) {
   if (!(hue_quadrature >= 0 && hue_quadrature <= 400)) {
     throw std::invalid_argument(fmt::format("hue quadrature {}; want 0 to 400", hue_quadrature));
   }
-  constexpr const char* kNames = "RYGBR";
+  constexpr std::string_view names = "RYGBR";
   const int from = std::min(static_cast<int>(hue_quadrature / 100), 3);
   const long next_share = std::lround(hue_quadrature - 100 * from);
-  if (next_share == 0) return fmt::format("100{}", kNames[from]);
-  if (next_share == 100) return fmt::format("100{}", kNames[from + 1]);
-  return fmt::format("{}{} {}{}", 100 - next_share, kNames[from], next_share, kNames[from + 1]);
+  if (next_share == 0) return fmt::format("100{}", names[from]);
+  if (next_share == 100) return fmt::format("100{}", names[from + 1]);
+  return fmt::format("{}{} {}{}", 100 - next_share, names[from], next_share, names[from + 1]);
 }
 
 }  // namespace appearance

@@ -47,9 +47,9 @@ void require_light(double luminance, const char* where) {
 }
 
 const spectra::Spectrum& swatch_light() {
-  static const spectra::Spectrum kD65 =
+  static const spectra::Spectrum d65 =
       spectra::light_on(spectra::kTransportGrid, spectra::illuminant("D65"));
-  return kD65;
+  return d65;
 }
 
 }  // namespace
@@ -150,17 +150,17 @@ RoomView view_of_room(const spectra::ViewedLight& light, const spectra::ViewingC
 }
 
 const ViewingConditions& standard_conditions() {
-  static const ViewingConditions kConditions{
+  static const ViewingConditions conditions{
       .white = spectra::relative_xyz(spectra::constant(spectra::kTransportGrid, 1), swatch_light()),
       .adapting_luminance_cd_m2 = 2000 / std::numbers::pi,
       .background_y = 20,
       .surround = kAverageFactors};
-  return kConditions;
+  return conditions;
 }
 
 const Adaptation& standard_adaptation() {
-  static const Adaptation kAdaptation = adapt(standard_conditions());
-  return kAdaptation;
+  static const Adaptation adaptation = adapt(standard_conditions());
+  return adaptation;
 }
 
 SwatchAppearance on_swatch(const spectra::Spectrum& reflectance) {

@@ -64,8 +64,8 @@ double distance(Distance kind, const Correlates& p, const Target& target) {
     return std::hypot(p.lightness - target.lightness, p.a_c - target.a_c, p.b_c - target.b_c);
   }
   return appearance::ucs_distance(
-      appearance::cam02_ucs(p.lightness, p.colourfulness, p.hue_deg),
-      appearance::cam02_ucs(target.lightness, target.colourfulness, hue_deg_of(target)));
+      appearance::cam02_ucs({p.lightness, p.colourfulness, p.hue_deg}),
+      appearance::cam02_ucs({target.lightness, target.colourfulness, hue_deg_of(target)}));
 }
 
 RankedPaint seen_in_room(const Paint& paint, const spectra::ViewedLight& light,

@@ -102,10 +102,11 @@ TEST(Rank, UniformDistanceIsThatOfCam02Ucs) {
   const auto swatch = on_swatch(munsell().paints[116].reflectance).correlates;
   const RankingOptions options{.windows = {}, .distance = Distance::cam02_ucs, .viewing = {}};
   const Ranking ranking = rank(munsell(), target_of(swatch), swatch_under(lit("A", 300)), options);
-  const auto wanted = appearance::cam02_ucs(swatch.lightness, swatch.colourfulness, swatch.hue_deg);
+  const auto wanted =
+      appearance::cam02_ucs({swatch.lightness, swatch.colourfulness, swatch.hue_deg});
   for (const RankedPaint& p : ranking.paints) {
     const auto& c = p.correlates;
-    const auto seen = appearance::cam02_ucs(c.lightness, c.colourfulness, c.hue_deg);
+    const auto seen = appearance::cam02_ucs({c.lightness, c.colourfulness, c.hue_deg});
     EXPECT_NEAR(p.distance, appearance::ucs_distance(seen, wanted), 1e-12);
   }
 }
