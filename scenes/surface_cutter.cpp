@@ -103,8 +103,8 @@ Halves cut(Mesh& mesh, Face face, const Line& line) {
   return divide(mesh, face, enters, leaves);
 }
 
-/// Cuts by parallel lines, sorted so that each lies on the right of the next. Pieces come back in
-/// that order. Halving the lines keeps the work at (pieces) x log(lines).
+/// Cuts by parallel lines, sorted from left to right, and appends the pieces in that order. Halving
+/// the lines keeps the work at (pieces) x log(lines).
 void cut_by_lines(Mesh& mesh, const std::vector<Face>& faces, std::span<const Line> lines,
                   std::vector<Face>& pieces) {
   if (lines.empty()) {
@@ -166,14 +166,16 @@ Halves divide_at_reflex(Mesh& mesh, Face face, Halfedge edge) {
   return divide(mesh, face, next, arrives);
 }
 
-/// The edge before a corner of more than 180 degrees; invalid if the face is convex.
+/// The edge before a corner of more than 180 degrees; invalid if the face is convex. The corner
+/// must stand out seen from both its edges, or extending one would end on the other.
 Halfedge edge_before_reflex(const Mesh& mesh, Face face) {
   for (const auto h : mesh.fh_ccw_range(face)) {
-    const Eigen::Vector2d from = mesh.point(mesh.from_vertex_handle(h));
     const Eigen::Vector2d corner = mesh.point(mesh.to_vertex_handle(h));
-    const Eigen::Vector2d to = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
-    const Line onward{corner, (corner - from).stableNormalized()};
-    if (onward.left_by(to) < -kSnapM) return h;
+    const Eigen::Vector2d before = corner - mesh.point(mesh.from_vertex_handle(h));
+    const Eigen::Vector2d after =
+        mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h))) - corner;
+    const double turn = before.x() * after.y() - before.y() * after.x();
+    if (turn < -kSnapM * std::max(before.norm(), after.norm())) return h;
   }
   return Halfedge();
 }

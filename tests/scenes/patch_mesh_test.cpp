@@ -281,6 +281,15 @@ TEST(MeshRoom, WallsInOnePlaneHaveOnePlaneNumber) {
   EXPECT_EQ(std::set<int>(mesh.surface.begin(), mesh.surface.end()).size(), 7U);
 }
 
+TEST(MeshRoom, ACornerReflexByLessThanTheToleranceIsNoCorner) {
+  // 0.24 nm off the line: seen from the long edge it is straight, seen from the short one it is
+  // not.
+  const Room room = RoomBuilder({{0, 0}, {0.5, 2.4e-10}, {10, 0}, {10, 4}, {0, 4}}, 2.7).room();
+  const PatchMesh mesh = mesh_room(room, 0.3);
+  for (const auto& polygon : mesh.polygon) EXPECT_GE(polygon.size(), 3U);
+  EXPECT_NEAR(area_of(mesh, 0), 40 - 10 * 2.4e-10 / 2, 1e-12);
+}
+
 TEST(MeshRoom, RefusesPatchSizesThatMakeNoMesh) {
   const Room room = rectangular_room(5, 4, 2.7).room();
   for (const double patch_m : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
