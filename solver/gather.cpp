@@ -1,5 +1,6 @@
 #include "solver/gather.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -113,42 +114,114 @@ ViewedPoint free_point(const scenes::PatchMesh& mesh, int surface, const Vector3
   return best;
 }
 
+/// The weights nearest to those sampled, in units of their variances, that sum to 1.
+void close_row(GatherRow& row) {
+  constexpr double kRounding = 1e-9;  // lets exact weights take what no variance explains
+  const Eigen::ArrayXd variance =
+      row.standard_error.array().square() + (kRounding * row.weights.array()).square();
+  if (!(variance.sum() > 0)) return;
+  const double open = 1 - row.weights.sum();
+  row.weights = (row.weights.array() + open / variance.sum() * variance).max(0).matrix();
+  row.weights /= row.weights.sum();
+}
+
+/// sum over parts of the facet of F(part) (centre of part - centre), scaled to the weight, m
+Vector3d first_moment(const Vector3d& point, const Vector3d& normal, const Facet& facet,
+                      double weight) {
+  constexpr int kParts = 4;  // along an edge
+  Vector3d moment = Vector3d::Zero();
+  double sum = 0;
+  const std::vector<Vector3d>& v = facet.vertices;
+  for (std::size_t i = 1; i + 1 < v.size(); i += 2) {
+    const Vector3d &a = v[0], &b = v[i], &c = v[i + 1], &d = i + 2 < v.size() ? v[i + 2] : a;
+    const auto at = [&](int s, int t) -> Vector3d {
+      const double u = static_cast<double>(s) / kParts, w = static_cast<double>(t) / kParts;
+      return (1 - w) * ((1 - u) * a + u * b) + w * ((1 - u) * d + u * c);
+    };
+    for (int s = 0; s < kParts; ++s) {
+      for (int t = 0; t < kParts; ++t) {
+        const std::vector<Vector3d> part{at(s, t), at(s + 1, t), at(s + 1, t + 1), at(s, t + 1)};
+        const double factor = point_to_polygon(point, normal, part);
+        moment += factor * ((part[0] + part[1] + part[2] + part[3]) / 4 - facet.centre);
+        sum += factor;
+      }
+    }
+  }
+  return sum > 0 ? Vector3d(weight / sum * moment) : Vector3d::Zero();
+}
+
+/// Weighted least squares over the neighbours k of patch j: gradient of B = sum_k a_k (B_k - B_j).
+/// Directions in which there is no neighbour have no gradient.
+std::vector<std::pair<Eigen::Index, Vector3d>> gradient_weights(const scenes::PatchMesh& mesh,
+                                                                const std::vector<Facet>& facets,
+                                                                std::size_t j) {
+  constexpr double kReach = 1.6;  // in patch sizes: the eight neighbours of a square
+  std::vector<std::pair<Eigen::Index, Vector3d>> neighbours;
+  Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < facets.size(); ++k) {
+    if (k == j || mesh.surface[k] != mesh.surface[j] || mesh.plane[k] != mesh.plane[j]) continue;
+    const Vector3d r = mesh.centre[k] - mesh.centre[j];
+    const double r2 = r.squaredNorm(),
+                 reach = kReach * std::max(facets[j].size_m, facets[k].size_m);
+    if (r2 > reach * reach) continue;
+    neighbours.emplace_back(static_cast<Eigen::Index>(k), r / r2);
+    normal_matrix += r * r.transpose() / r2;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(normal_matrix);
+  const Eigen::Array3d values = eigen.eigenvalues().array();
+  const Eigen::Array3d inverse = (values > 0.1).select(values.inverse(), 0.0);
+  const Eigen::Matrix3d pseudo_inverse =
+      eigen.eigenvectors() * inverse.matrix().asDiagonal() * eigen.eigenvectors().transpose();
+  for (auto& [k, a] : neighbours) a = pseudo_inverse * a;
+  return neighbours;
+}
+
+/// Over a near patch B is not constant: adds weight_j * gradient . first moment, as weights of the
+/// neighbours.
+void add_gradients(const Vector3d& point, const Vector3d& normal, const scenes::PatchMesh& mesh,
+                   const std::vector<Facet>& facets, const GatherOptions& options, GatherRow& row) {
+  constexpr double kNear =
+      4;  // in patch sizes; farther off the moment is that of the plain centroid
+  const VectorXd weights = row.weights;
+  for (std::size_t j = 0; j < facets.size(); ++j) {
+    const auto at = static_cast<Eigen::Index>(j);
+    const bool lamp = !options.lamp.empty() && options.lamp[j];
+    const bool near = (facets[j].centre - point).norm() < kNear * facets[j].size_m;
+    if (lamp || !near || weights[at] <= 0) continue;
+    const Vector3d moment = first_moment(point, normal, facets[j], weights[at]);
+    for (const auto& [k, a] : gradient_weights(mesh, facets, j)) {
+      row.weights[k] += moment.dot(a);
+      row.weights[at] -= moment.dot(a);
+    }
+  }
+}
+
 }  // namespace
 
 GatherRow gather_at_point(const Vector3d& point, const Vector3d& normal,
-                          const std::vector<Facet>& facets, const Visibility& visibility,
-                          const GatherOptions& options) {
+                          const scenes::PatchMesh& mesh, const std::vector<Facet>& facets,
+                          const Visibility& visibility, const GatherOptions& options) {
   const auto n = static_cast<Eigen::Index>(facets.size());
   GatherRow row{.weights = VectorXd::Zero(n), .standard_error = VectorXd::Zero(n)};
   const SeparationMask mask = visibility.separation(point, normal);
-  double lamps = 0, others = 0;
   for (std::size_t j = 0; j < facets.size(); ++j) {
     const Facet& facet = facets[j];
     if (facet.plane().height_m(point) <= 1e-12) continue;  // on its plane or behind it
     const auto at = static_cast<Eigen::Index>(j);
-    double weight = point_to_polygon(point, normal, facet.vertices);
-    const bool lamp = !options.lamp.empty() && options.lamp[j];
-    if (weight > 0 && visibility.may_block(mask, static_cast<int>(j))) {
+    row.weights[at] = point_to_polygon(point, normal, facet.vertices);
+    if (row.weights[at] > 0 && visibility.may_block(mask, static_cast<int>(j))) {
+      const bool lamp = !options.lamp.empty() && options.lamp[j];
       const VisibleShare visible =
           lamp ? visibility.from_point(point, normal, facet, j, options.lamp_error,
                                        options.most_lamp_rays)
                : visibility.from_point(point, normal, facet, j, 1, options.rays);
-      row.standard_error[at] = weight * visible.standard_error;
-      weight *= visible.share;
-    }
-    row.weights[at] = weight;
-    (lamp ? lamps : others) += weight;
-  }
-  if (others > 0 && lamps < 1) {
-    const double closing = (1 - lamps) / others;
-    for (std::size_t j = 0; j < facets.size(); ++j) {
-      if (options.lamp.empty() || !options.lamp[j])
-        row.weights[static_cast<Eigen::Index>(j)] *= closing;
+      row.standard_error[at] = row.weights[at] * visible.standard_error;
+      row.weights[at] *= visible.share;
     }
   }
-  std::vector<double> area;
-  for (const Facet& facet : facets) area.push_back(facet.area_m2);
-  row.norm = row_norm(row.weights, area);
+  close_row(row);
+  add_gradients(point, normal, mesh, facets, options, row);
+  row.norm = row_norm(row.weights, mesh.area_m2);
   return row;
 }
 

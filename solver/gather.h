@@ -22,10 +22,12 @@ struct GatherOptions {
   int rays = 64;  ///< for other patches that something may hide
 };
 
-/// Irradiance at a surface element: exact form factors from the point [Lambert1760], visible shares
-/// by rays. What sampling leaves open goes to the patches that do not shine, so that the weights
-/// sum to 1 as in a closed room.
+/// Irradiance at a surface element. Form factors from the point are exact [Lambert1760], visible
+/// shares come from rays; near patches also count the gradient of B, taken from their neighbours in
+/// the surface, times the kernel's first moment. What sampling leaves open is spread over the
+/// weights by their variances, so that they sum to 1 as in a closed room.
 [[nodiscard]] GatherRow gather_at_point(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                                        const scenes::PatchMesh& mesh,
                                         const std::vector<Facet>& facets,
                                         const Visibility& visibility, const GatherOptions& options);
 

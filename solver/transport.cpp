@@ -92,10 +92,11 @@ void require_memory(double bytes, std::int64_t limit, double patch_m) {
       patch_m, bytes * 1e-9, static_cast<double>(limit) * 1e-9, std::ceil(fits_m * 100) / 100));
 }
 
-ReceiverRow receiver_row(const scenes::Room& room, const Eigen::Vector3d& point,
-                         const Eigen::Vector3d& normal, const std::vector<Facet>& facets,
-                         const Visibility& visibility, const GatherOptions& options) {
-  return {.gather = gather_at_point(point, normal, facets, visibility, options),
+ReceiverRow receiver_row(const scenes::Room& room, const scenes::PatchMesh& mesh,
+                         const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                         const std::vector<Facet>& facets, const Visibility& visibility,
+                         const GatherOptions& options) {
+  return {.gather = gather_at_point(point, normal, mesh, facets, visibility, options),
           .direct = direct_light_at_point(room, point, normal, visibility)};
 }
 
@@ -206,10 +207,12 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   t.receivers.resize(room.receivers.size());
   tbb::parallel_for(std::size_t{0}, room.receivers.size(), [&](std::size_t k) {
     const scenes::Receiver& r = room.receivers[k];
-    t.receivers[k] = receiver_row(room, r.at_m, r.normal.normalized(), facets, visibility, gather);
+    t.receivers[k] =
+        receiver_row(room, t.mesh, r.at_m, r.normal.normalized(), facets, visibility, gather);
   });
   t.viewed = viewed_point(room, t.mesh);
-  t.viewed_row = receiver_row(room, t.viewed.point_m, t.viewed.normal, facets, visibility, gather);
+  t.viewed_row =
+      receiver_row(room, t.mesh, t.viewed.point_m, t.viewed.normal, facets, visibility, gather);
   t.view = view_rows(t.viewed.eye_m, t.viewed.point_m, t.mesh);
   t.seconds["gather"] = watch.lap();
   return t;

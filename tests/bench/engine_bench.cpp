@@ -1,0 +1,85 @@
+// The engine's hot functions on the sample rooms. Every benchmark fails if its answer is wrong.
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "scenes/room_json.h"
+#include "solver/room_light.h"
+#include "solver/tile_product.h"
+
+namespace {
+
+scenes::Room sample_room(const char* name) {
+  return scenes::read_room(std::string(SOURCE_DIR) + "/scenes/rooms/" + name + ".json");
+}
+
+/// Pairs per second, visibility included: box 0.25 m, office 0.2 m.
+void BM_Exchange(benchmark::State& state, const char* name) {
+  const scenes::Room room = sample_room(name);
+  const scenes::PatchMesh mesh =
+      scenes::mesh_room(room, 0.01 * static_cast<double>(state.range(0)));
+  const solver::Visibility visibility(room, mesh);
+  std::int64_t pairs = 0;
+  for (auto _ : state) {
+    const solver::ExchangeAreas exchange = solver::compute_exchange(mesh, visibility);
+    if (!(exchange.closure_defect < 1e-12)) state.SkipWithError("rows do not close");
+    pairs += exchange.facing_pairs;
+  }
+  state.counters["pairs/s"] =
+      benchmark::Counter(static_cast<double>(pairs), benchmark::Counter::kIsRate);
+  state.counters["patches"] = mesh.size();
+}
+
+/// X times n x columns in float or double, in GFLOP/s.
+template <typename T>
+void BM_Product(benchmark::State& state) {
+  const auto blocks = static_cast<int>(state.range(0) / 64);
+  const auto columns = static_cast<std::size_t>(state.range(1));
+  solver::SymmetricTiles tiles{.blocks = blocks};
+  for (int row = 0; row < blocks; ++row) {
+    for (int column = row; column < blocks; ++column) {
+      tiles.offset.push_back(static_cast<std::int64_t>(tiles.offset.size()) * 64 * 64);
+    }
+  }
+  tiles.values.assign(tiles.offset.size() * 64 * 64, 0.5F);
+  const std::size_t n = static_cast<std::size_t>(blocks) * 64;
+  std::vector<T> b(n * columns, T{1}), y(n * columns);
+  for (auto _ : state) {
+    solver::multiply(tiles, b.data(), y.data(), columns);
+    benchmark::ClobberMemory();
+  }
+  if (y.back() != static_cast<T>(n) / 2) state.SkipWithError("wrong product");
+  state.counters["FLOP/s"] = benchmark::Counter(2.0 * static_cast<double>(n * n * columns),
+                                                benchmark::Counter::kIsIterationInvariantRate);
+}
+
+/// One solve of all bands with the geometry at hand.
+void BM_Solve(benchmark::State& state, const char* name) {
+  const scenes::Room room = sample_room(name);
+  const solver::RoomTransport transport =
+      solver::prepare_transport(room, {.patch_m = 0.01 * static_cast<double>(state.range(0))});
+  for (auto _ : state) {
+    const solver::RoomSolution solution = solver::solve_room(room, transport);
+    if (!solution.radiosity.converged || !(solution.energy.relative_defect < 1e-5)) {
+      state.SkipWithError("not converged");
+    }
+    state.counters["iterations"] = solution.radiosity.bands[0].iterations;
+  }
+  state.counters["patches"] = transport.mesh.size();
+}
+
+BENCHMARK_CAPTURE(BM_Exchange, box, "box")->ArgName("patch_cm")->Arg(25)->UseRealTime();
+BENCHMARK_CAPTURE(BM_Exchange, office, "office")->ArgName("patch_cm")->Arg(25)->UseRealTime();
+BENCHMARK_TEMPLATE(BM_Product, float)
+    ->ArgNames({"patches", "bands"})
+    ->Args({2048, 32})
+    ->Args({2048, 16})
+    ->UseRealTime();
+BENCHMARK_TEMPLATE(BM_Product, double)
+    ->ArgNames({"patches", "bands"})
+    ->Args({2048, 32})
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_Solve, box, "box")->ArgName("patch_cm")->Arg(25)->UseRealTime();
+BENCHMARK_CAPTURE(BM_Solve, office, "office")->ArgName("patch_cm")->Arg(25)->UseRealTime();
+
+}  // namespace
