@@ -14,7 +14,7 @@ namespace scenes {
 struct Reflectance {
   spectra::Spectrum spectrum;
   bool reconstructed = false;  ///< computed from a colour, not measured
-  std::string name{};          ///< of the paint, for reports
+  std::string name;            ///< of the paint, for reports
 };
 
 /// Relative spectral power, and the efficacy that is known with it.

@@ -12,9 +12,9 @@ using spectra::JsonNode;
 RoomReader::RoomReader(spectra::JsonFile& file, const spectra::Grid& grid)
     : file_(file),
       curves_(file, grid),
-      top_(file.root().object({"roomhue", "name", "plan_m", "wall_names", "height_m", "patch_m",
-                               "openings", "furniture", "surfaces", "lights", "receivers", "view",
-                               "paint"})) {
+      top_(file.root().object({"$schema", "roomhue", "name", "plan_m", "wall_names", "height_m",
+                               "patch_m", "openings", "furniture", "surfaces", "lights",
+                               "receivers", "view", "paint"})) {
   room_.grid = grid;
 }
 

@@ -253,6 +253,10 @@ JsonFile::JsonFile(std::string path, std::string text)
 
 void JsonFile::fault(std::size_t offset, std::string pointer, std::string problem,
                      std::string remedy) {
+  if (faults_.size() == kMostFaults) {
+    ++more_faults_;
+    return;
+  }
   faults_.emplace_back(offset, Fault{.file = path_,
                                      .pointer = printable(std::move(pointer)),
                                      .problem = printable(std::move(problem)),
@@ -282,13 +286,11 @@ void JsonFile::throw_faults() const {
       fault.column = static_cast<int>(offset - line_start) + 1;
     }
     faults.push_back(std::move(fault));
-    if (faults.size() == kMostFaults && placed.size() > kMostFaults) {
-      faults.push_back({.file = path_,
-                        .pointer = "",
-                        .problem = fmt::format("{} more faults", placed.size() - kMostFaults),
-                        .remedy = "mend those above first"});
-      break;
-    }
+  }
+  if (more_faults_ > 0) {
+    faults.push_back({.file = path_,
+                      .problem = fmt::format("{} more faults", more_faults_),
+                      .remedy = "mend those above first"});
   }
   throw InputError(std::move(faults));
 }
@@ -305,7 +307,6 @@ JsonFile read_json_file(const std::string& path) {
   if (in.bad()) throw FileError(fmt::format("{}: cannot be read", path));
   if (text.size() > kMostBytes) {
     throw InputError({{.file = path,
-                       .pointer = "",
                        .problem = fmt::format("the file is larger than {} MiB", kMostBytes >> 20),
                        .remedy = "is it a room file? Keep long spectra in CSV files"}});
   }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "appearance/spectra/input_error.h"
@@ -23,9 +24,9 @@ struct JsonValue {
   Kind kind = Kind::null;
   std::size_t offset = 0;  ///< of its first byte
   double number = 0;       ///< finite
-  std::string text{};
-  std::vector<JsonValue> items{};  ///< of a list or an object
-  std::vector<Key> keys{};         ///< object: keys[i] names items[i]
+  std::string text;
+  std::vector<JsonValue> items;  ///< of a list or an object
+  std::vector<Key> keys;         ///< object: keys[i] names items[i]
 };
 
 /// The numbers that a key takes.
@@ -143,6 +144,7 @@ class JsonFile {
   std::string path_, text_;
   JsonValue root_;
   std::vector<std::pair<std::size_t, Fault>> faults_;
+  std::size_t more_faults_ = 0;  ///< beyond the thousand that are kept
 };
 
 /// Reads and parses. @throws FileError  if it cannot be read  @throws InputError  as above, and if
