@@ -19,7 +19,7 @@ struct Opening {
   double offset_m = 0;  ///< along the wall from its first corner
   double sill_m = 0;
   double width_m = 0, height_m = 0;
-  Spectrum transmittance;
+  Spectrum transmittance;  ///< for the sun, 0..1
 };
 
 struct Box {
@@ -33,7 +33,7 @@ struct Panel {
   std::string name;
   int on = 0;                ///< index into Room::surfaces: floor, ceiling or a wall
   Eigen::Vector2d center_m;  ///< floor, ceiling: x, y; wall: along, up
-  Eigen::Vector2d size_m;
+  Eigen::Vector2d size_m;    ///< in the same directions
 };
 
 struct PointLight {
@@ -62,11 +62,14 @@ struct Surface {
   bool reconstructed = false;  ///< its reflectance was computed from a colour, not measured
 };
 
+/// A small surface whose irradiance is asked for.
 struct Receiver {
   std::string name;
-  Eigen::Vector3d at_m, normal;
+  Eigen::Vector3d at_m;    ///< in the air or on a surface
+  Eigen::Vector3d normal;  ///< unit, into the air
 };
 
+/// An eye in the air, and what it looks at.
 struct View {
   Eigen::Vector3d eye_m, look_at_m;
 };
@@ -74,15 +77,15 @@ struct View {
 /// The wished appearance: a reflectance seen on the swatch, or J, C, h under the standard
 /// conditions.
 struct TargetColour {
-  std::string name;
-  std::variant<Spectrum, Eigen::Vector3d> colour;
+  std::string name;                                ///< for reports
+  std::variant<Spectrum, Eigen::Vector3d> colour;  ///< reflectance, or J, C, h in degrees
 };
 
 struct PaintTask {
   std::vector<int> surfaces;  ///< into Room::surfaces: they share one paint
   std::string atlas;          ///< a name, or a path resolved against the room file's folder
-  std::optional<TargetColour> target;
-  int top = 20;
+  std::optional<TargetColour> target;  ///< needed for ranking only
+  int top = 20;                        ///< paints that are listed
 };
 
 /// A room as the file describes it, checked: plain data on one grid.
