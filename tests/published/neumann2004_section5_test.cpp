@@ -20,7 +20,7 @@ using spectra::Spectrum;
 /// 5G).
 const std::map<std::string, std::string> kPaints{{"salmon", "munsell-nickerson:061"},
                                                  {"beige", "munsell-nickerson:098"},
-                                                 {"yellowish green", "munsell-nickerson:136"}};
+                                                 {"yellowish green", "munsell-nickerson:447"}};
 
 struct Change {
   double xy = 0;  ///< distance in the chromaticity diagram from swatch to room

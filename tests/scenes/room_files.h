@@ -1,9 +1,11 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "appearance/spectra/input_error.h"
@@ -39,8 +41,18 @@ inline json sample_room() {
   })");
 }
 
+/// A folder of this process alone: tests run side by side.
+inline const std::string& own_folder() {
+  static const std::string kFolder = [] {
+    std::string path = testing::TempDir() + "roomhue-XXXXXX";
+    if (::mkdtemp(path.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    return path + "/";
+  }();
+  return kFolder;
+}
+
 inline std::string write_file(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + name;
+  const std::string path = own_folder() + name;
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

@@ -270,7 +270,7 @@ TEST(RoomJson, TargetIsAReflectanceOrCorrelates) {
 TEST(RoomJson, AtlasFileIsFoundBesideTheRoom) {
   json file = sample_room();
   file["paint"]["atlas"] = "paints.csv";
-  EXPECT_EQ(read(file).paint->atlas, testing::TempDir() + "paints.csv");
+  EXPECT_EQ(read(file).paint->atlas, own_folder() + "paints.csv");
 }
 
 TEST(RoomJson, ViewingChoicesNeedNoEye) {
