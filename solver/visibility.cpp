@@ -152,13 +152,14 @@ bool any_blocker_between(const std::uint8_t* a, const std::uint8_t* b, std::size
 
 bool Visibility::may_block(int i, int j) const {
   const std::size_t n = blockers_.size();
-  return any_blocker_between(&patch_masks_[static_cast<std::size_t>(i) * n],
-                             &patch_masks_[static_cast<std::size_t>(j) * n], n);
+  return any_blocker_between(patch_masks_.data() + static_cast<std::size_t>(i) * n,
+                             patch_masks_.data() + static_cast<std::size_t>(j) * n, n);
 }
 
 bool Visibility::may_block(const SeparationMask& set, int patch) const {
   const std::size_t n = blockers_.size();
-  return any_blocker_between(set.data(), &patch_masks_[static_cast<std::size_t>(patch) * n], n);
+  return any_blocker_between(set.data(), patch_masks_.data() + static_cast<std::size_t>(patch) * n,
+                             n);
 }
 
 SeparationMask Visibility::separation(const Vector3d& point, const Vector3d& normal) const {
