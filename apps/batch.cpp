@@ -70,16 +70,22 @@ bool wants_rank(const fs::path& path) {
   return room.paint && room.paint->target;
 }
 
+/// What a record says at a JSON pointer; null if it says nothing there.
+Json member(const Json& record, const char* pointer) {
+  const Json::json_pointer at(pointer);
+  return record.contains(at) ? record[at] : Json();
+}
+
 /// The room's run.json, if it tells of the same inputs, options and version and all is there.
 Json finished_record(const BatchRoom& room, const Json& identity) {
   std::ifstream file(room.folder / "run.json");
-  const Json record = Json::parse(file, nullptr, /*allow_exceptions=*/false);
-  if (!record.is_object() || record.value("status", "") != "done") return {};
+  Json record = Json::parse(file, nullptr, /*allow_exceptions=*/false);
+  if (!record.is_object() || member(record, "/status") != "done") return {};
   for (const auto& [key, value] : identity.items()) {
     if (!record.contains(key) || record[key] != value) return {};
   }
-  for (const Json& output : record["outputs"]) {
-    if (!fs::exists(room.folder / output.get<std::string>())) return {};
+  for (const Json& output : member(record, "/outputs")) {
+    if (!output.is_string() || !fs::exists(room.folder / output.get<std::string>())) return {};
   }
   return record;
 }
@@ -107,22 +113,30 @@ void run_room(BatchRoom& room, const RankOptions& options, const Session& sessio
   }
 }
 
-Json best_of(const BatchRoom& room) {
-  const Json ranking = room.record.is_object() ? room.record.value("ranking", Json()) : Json();
-  return ranking.is_object() ? ranking["best"] : Json();
+std::string best_paint(const BatchRoom& room) {
+  const Json paint = member(room.record, "/ranking/best/paint");
+  return paint.is_string() ? paint.get<std::string>() : "";
+}
+
+std::optional<double> number(const BatchRoom& room, const char* pointer) {
+  const Json value = member(room.record, pointer);
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+}
+
+/// The faults of a file, each on a line of its own, as one line.
+std::string one_line(const std::string& message) {
+  std::string line;
+  for (const char c : message) line += c == '\n' ? std::string(" | ") : std::string(1, c);
+  return line;
 }
 
 std::string summary_csv(const std::vector<BatchRoom>& batch) {
   CsvText csv("room,status,exit_code,message,paint,distance,seconds,folder");
   for (const BatchRoom& room : batch) {
     csv.cell(room.room.string()).cell(room.status);
-    csv.cell(static_cast<int>(room.outcome.exit)).cell(room.outcome.message);
-    const Json best = best_of(room);
-    csv.cell(best.is_object() ? best["paint"].get<std::string>() : "");
-    csv.cell(best.is_object() ? std::optional(best["distance"].get<double>()) : std::nullopt);
-    csv.cell(room.record.is_object() ? std::optional(room.record["seconds"]["total"].get<double>())
-                                     : std::nullopt);
-    csv.cell(room.folder.string()).end_row();
+    csv.cell(static_cast<int>(room.outcome.exit)).cell(one_line(room.outcome.message));
+    csv.cell(best_paint(room)).cell(number(room, "/ranking/best/distance"));
+    csv.cell(number(room, "/seconds/total")).cell(room.folder.string()).end_row();
   }
   return csv.take();
 }
@@ -134,7 +148,7 @@ Json summary_list(const std::vector<BatchRoom>& batch) {
                     {"status", room.status},
                     {"exit_code", static_cast<int>(room.outcome.exit)},
                     {"message", room.outcome.message},
-                    {"best", best_of(room)},
+                    {"best", member(room.record, "/ranking/best")},
                     {"folder", room.folder.string()}});
   }
   return list;
@@ -163,10 +177,7 @@ Exit batch_rooms(const RankCommand& command, const Session& session) {
 
   std::vector<std::vector<std::string>> rows{{"room", "status", "best paint", "folder"}};
   for (const BatchRoom& room : batch) {
-    const Json best = best_of(room);
-    rows.push_back({room.room.string(), room.status,
-                    best.is_object() ? best["paint"].get<std::string>() : "",
-                    room.folder.string()});
+    rows.push_back({room.room.string(), room.status, best_paint(room), room.folder.string()});
   }
   fmt::print("{}", session.json ? summary_list(batch).dump(2) + "\n" : table("<<<<", rows));
   const bool failed = std::any_of(batch.begin(), batch.end(), [](const BatchRoom& room) {

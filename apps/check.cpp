@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -28,12 +29,14 @@ std::string plan_text(const scenes::Room& room, const solver::Plan& plan) {
   return text;
 }
 
-void require_memory(const std::string& room, double bytes) {
+void require_memory(const std::string& room, double patch_m, double bytes) {
   const auto available_bytes = static_cast<double>(solver::available_memory_bytes());
   if (bytes <= available_bytes) return;
+  // Nearly all of it grows as patch_m^-4; rounded up to whole centimetres.
+  const double fits_m = std::ceil(100 * patch_m * std::pow(bytes / available_bytes, 0.25)) / 100;
   throw solver::TooLarge(
-      fmt::format("{}: needs {:.3g} GB, {:.3g} GB are free; solve it with a larger --patch-m", room,
-                  bytes * 1e-9, available_bytes * 1e-9));
+      fmt::format("{}: patch_m {:g} needs {:.3g} GB, {:.3g} GB are free; patch_m {:g} would fit",
+                  room, patch_m, bytes * 1e-9, available_bytes * 1e-9, fits_m));
 }
 
 /// What the exchange areas of patches of this size must take, known before there is a mesh.
@@ -49,7 +52,7 @@ Exit check_room(const RoomCommand& command, const Session& session) {
   const scenes::Room room = scenes::read_room(command.room);
   report_notes(room.notes);
   const double patch_m = command.options.patch_m > 0 ? command.options.patch_m : room.patch_m;
-  require_memory(command.room, least_memory_bytes(room, patch_m));
+  require_memory(command.room, patch_m, least_memory_bytes(room, patch_m));
   const solver::Plan plan = solver::make_plan(room, scenes::mesh_room(room, patch_m));
   if (session.json) {
     Json data = describe(plan);
@@ -59,7 +62,7 @@ Exit check_room(const RoomCommand& command, const Session& session) {
   } else {
     fmt::print("{}", plan_text(room, plan));
   }
-  require_memory(command.room, static_cast<double>(plan.memory_bytes));
+  require_memory(command.room, patch_m, static_cast<double>(plan.memory_bytes));
   return Exit::done;
 }
 

@@ -35,13 +35,6 @@ paints::Target wished(const RoomRun& run, const scenes::TargetColour& target) {
       appearance::LightnessChromaHue{.lightness = jch[0], .chroma = jch[1], .hue_deg = jch[2]});
 }
 
-paints::Atlas load_atlas(RoomRun& run, const RankOptions& options) {
-  const std::string& name = options.atlas.empty() ? run.room.paint->atlas : options.atlas;
-  paints::Atlas atlas = paints::load_atlas(name, run.room.grid);
-  run.clock.stop("atlas");
-  return atlas;
-}
-
 void require_painted_view(const RoomRun& run) {
   const solver::ViewedPoint at = viewed_point(run);
   const std::vector<int>& painted = run.room.paint->surfaces;
@@ -119,8 +112,8 @@ Json best_list(const paints::Ranking& ranking, const std::vector<Shift>& shifts,
   return list;
 }
 
-Json describe(const paints::Ranking& ranking, const paints::Atlas& atlas,
-              const paints::Target& target) {
+Json describe_ranking(const paints::Ranking& ranking, const paints::Atlas& atlas,
+                      const paints::Target& target) {
   Json best;
   if (!ranking.paints.empty()) {
     const paints::RankedPaint& first = ranking.paints.front();
@@ -136,6 +129,12 @@ Json describe(const paints::Ranking& ranking, const paints::Atlas& atlas,
           {"rejected_by_windows", ranking.rejected},
           {"undefined", ranking.undefined},
           {"best", best}};
+}
+
+/// How the room with the best paint was solved and viewed.
+void record_best(RoomRun& run, PaintedRoom& painted, const paints::RankedPaint& best) {
+  run.record["solution"] = describe(painted.solve(best.paint->reflectance), run.room);
+  run.record["viewing"] = describe(best.view, run.room, run.transport.viewed);
 }
 
 void talk_about(const paints::Ranking& ranking, const paints::Atlas& atlas) {
@@ -160,7 +159,9 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
   RoomRun run = open_room(path, "rank", to_json(options), session);
   const scenes::TargetColour& target = target_of(run);
   const paints::Target wish = wished(run, target);
-  const paints::Atlas atlas = load_atlas(run, options);
+  const paints::Atlas atlas = paints::load_atlas(
+      options.atlas.empty() ? run.room.paint->atlas : options.atlas, run.room.grid);
+  run.clock.stop("atlas");
   require_painted_view(run);
   prepare(run, options.room, out);
 
@@ -171,12 +172,8 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
 
   const int top = options.top > 0 ? options.top : run.room.paint->top;
   const std::vector<Shift> shifts = shifts_of(run, painted, ranking, atlas, top);
-  if (!ranking.paints.empty()) {
-    const paints::RankedPaint& best = ranking.paints.front();
-    run.record["solution"] = describe(painted.solve(best.paint->reflectance), run.room);
-    run.record["viewing"] = describe(best.view, run.room, run.transport.viewed);
-  }
-  run.record["ranking"] = describe(ranking, atlas, wish);
+  run.record["ranking"] = describe_ranking(ranking, atlas, wish);
+  if (!ranking.paints.empty()) record_best(run, painted, ranking.paints.front());
   run.record["ranking"]["solver"] = painted.record();
   run.clock.stop("report");
 

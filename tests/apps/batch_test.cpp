@@ -6,6 +6,7 @@ namespace apps::test {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 /// An empty room with one lamp: solved in no time.
@@ -54,10 +55,9 @@ TEST_F(Batch, GivesEachRoomAFolder) {
 TEST_F(Batch, GoesOnPastABadRoomAndSaysSo) {
   write_text(folder / "rooms/a.json", "{}");
   EXPECT_EQ(run().exit_code, 6);
-  const auto rows = statuses();
-  // The message of a.json has line breaks of its own; the last row is b's.
-  EXPECT_EQ(rows.front(), "failed");
-  EXPECT_EQ(rows.back(), "done");
+  EXPECT_THAT(statuses(), ElementsAre("failed", "done"));
+  EXPECT_THAT(column(2), ElementsAre("3", "0"));
+  EXPECT_THAT(column(3)[0], HasSubstr("a.json:1:"));
   EXPECT_FALSE(fs::exists(out / "a"));
 }
 
@@ -82,6 +82,13 @@ TEST_F(Batch, RedoesARoomThatLostAnOutput) {
   EXPECT_EQ(run().exit_code, 0);
   EXPECT_THAT(statuses(), ElementsAre("done", "unchanged"));
   EXPECT_TRUE(fs::exists(out / "a/patches.csv"));
+}
+
+TEST_F(Batch, RedoesARoomWhoseRecordIsDamaged) {
+  ASSERT_EQ(run().exit_code, 0);
+  write_text(out / "a/run.json", R"({ "status": 7, "outputs": [3] )");
+  EXPECT_EQ(run().exit_code, 0);
+  EXPECT_THAT(statuses(), ElementsAre("done", "unchanged"));
 }
 
 TEST_F(Batch, RetriesWhatFailed) {

@@ -10,6 +10,7 @@
 namespace apps {
 namespace {
 
+namespace fs = std::filesystem;
 using test::TemporaryFolder;
 using ::testing::ElementsAre;
 

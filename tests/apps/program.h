@@ -1,14 +1,17 @@
 #pragma once
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "appearance/spectra/csv_reader.h"
 
 namespace apps::test {
 
@@ -80,22 +83,11 @@ inline nlohmann::json read_json(const fs::path& path) {
   return nlohmann::json::parse(read_text(path));
 }
 
-/// The cells of a CSV file whose cells hold neither commas nor quotes.
+/// The cells of a CSV file, its header first.
 inline std::vector<std::vector<std::string>> read_cells(const fs::path& path) {
-  std::vector<std::vector<std::string>> rows;
-  std::istringstream text(read_text(path));
-  for (std::string line; std::getline(text, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    std::vector<std::string> cells{""};
-    for (const char c : line) {
-      if (c == ',') {
-        cells.emplace_back();
-      } else {
-        cells.back() += c;
-      }
-    }
-    rows.push_back(cells);
-  }
+  const spectra::CsvTable table = spectra::read_csv(path.string());
+  std::vector<std::vector<std::string>> rows{table.header};
+  for (const spectra::CsvRow& row : table.rows) rows.push_back(row.cells);
   return rows;
 }
 

@@ -6,7 +6,6 @@ namespace apps::test {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
@@ -55,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
                       UsageError{"unknown_method", "solve x.json --out x --method magic"},
                       UsageError{"top_of_zero", "rank x.json --out x --top 0"},
                       UsageError{"threads_of_zero", "check x.json --threads 0"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& usage) { return usage.param.name; });
 
 TEST(Roomhue, MissingFileIsExitCodeFour) {
   const ProgramRun run = roomhue("check no/such/room.json");
@@ -152,9 +151,8 @@ TEST(Roomhue, FullStandardOutputIsExitCodeFour) {
 
 TEST(Roomhue, RankOrdersTheAtlasByDistance) {
   const TemporaryFolder folder;
-  const ProgramRun run =
-      roomhue("rank " + kBox + "--max-dJ 5 --max-dC 5 --max-dh 20 --top 3 --json --out " +
-              folder.path().string());
+  const ProgramRun run = roomhue("rank " + kBox + "--max-dJ 9 --max-dC 9 --top 3 --json --out " +
+                                 folder.path().string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(names_in(folder.path()), ElementsAre("ranking.csv", "run.json", "shift.csv"));
   EXPECT_THAT(first_line(folder / "ranking.csv"),
