@@ -115,12 +115,17 @@ void inverse_cells(CsvText& csv, const Inputs& in) {
 /// A column of the input that the command computes anew is dropped; all others are kept.
 std::vector<std::size_t> kept_columns(const spectra::CsvTable& table, const Names& computed) {
   std::vector<std::size_t> kept;
+  Names dropped;
   for (std::size_t k = 0; k < table.header.size(); ++k) {
-    if (std::find(computed.begin(), computed.end(), table.header[k]) == computed.end()) {
+    const std::string& name = table.header[k];
+    if (std::find(computed.begin(), computed.end(), name) == computed.end()) {
       kept.push_back(k);
     } else {
-      report_notes({fmt::format("column {} is computed anew", table.header[k])});
+      dropped.push_back(name);
     }
+  }
+  if (!dropped.empty()) {
+    report_notes({fmt::format("computed anew, not kept: {}", fmt::join(dropped, ", "))});
   }
   return kept;
 }
