@@ -1,5 +1,4 @@
 #pragma once
-#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <span>
@@ -94,8 +93,6 @@ class JsonNode {
 class JsonObject {
  public:
   JsonObject(JsonNode node, bool readable) : node_(std::move(node)), readable_(readable) {}
-
-  [[nodiscard]] const JsonNode& node() const { return node_; }
 
   [[nodiscard]] bool has(std::string_view key) const { return find(key).has_value(); }
 
