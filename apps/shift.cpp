@@ -27,7 +27,6 @@ appearance::RoomView look(RoomRun& run, solver::RoomSolution& solution,
   run.transport.viewed = at;
   run.transport.view = solver::view_rows(at.eye_m, at.point_m, run.transport.mesh);
   solution.viewed = solution.receivers[k];
-  solution.viewed_reflectance = run.room.surfaces[static_cast<std::size_t>(at.surface)].reflectance;
   return view_of(run, solution);
 }
 

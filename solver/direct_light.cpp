@@ -18,10 +18,10 @@ constexpr int kShadowRays = 1024;
 
 /// The sun through one opening: a prism of parallel light.
 struct Beam {
+  int surface = 0;  ///< the opening
   Vector3d to_sun;
   Plane opening;             ///< front: into the room
   std::vector<Plane> sides;  ///< the prism is in front of all
-  double flux_area_m2 = 0;   ///< opening area times cosine
   ArrayXd normal_irradiance;
 
   /// Where the line from p towards the sun leaves through the opening.
@@ -37,7 +37,7 @@ std::vector<Beam> beams(const scenes::Room& room) {
       const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
       if (surface.kind != scenes::SurfaceKind::opening) continue;
       const Facet glass = make_facet(scenes::rectangle_of(room, s));
-      Beam beam{.to_sun = towards_sun(sun), .opening = glass.plane()};
+      Beam beam{.surface = s, .to_sun = towards_sun(sun), .opening = glass.plane()};
       const double cosine = -glass.normal.dot(beam.to_sun);
       if (cosine <= 1e-9) continue;  // the sun is behind the wall
       for (std::size_t k = 0; k < glass.vertices.size(); ++k) {
@@ -47,7 +47,6 @@ std::vector<Beam> beams(const scenes::Room& room) {
         const double side = inward.dot(glass.centre - a) > 0 ? 1 : -1;
         beam.sides.push_back({side * inward, side * inward.dot(a)});
       }
-      beam.flux_area_m2 = glass.area_m2 * cosine;
       beam.normal_irradiance =
           sun.normal_irradiance.values *
           room.openings[static_cast<std::size_t>(surface.index)].transmittance.values;
@@ -106,7 +105,8 @@ double solid_angle(const Vector3d& point, const std::vector<Vector3d>& polygon) 
   return sum;
 }
 
-DirectLight direct_light_on_patches(const scenes::Room& room, const std::vector<Facet>& facets,
+DirectLight direct_light_on_patches(const scenes::Room& room, const scenes::PatchMesh& mesh,
+                                    const std::vector<Facet>& facets,
                                     const Visibility& visibility) {
   const auto n = static_cast<Eigen::Index>(facets.size());
   DirectLight light{.irradiance = Bands::Zero(n, room.grid.count)};
@@ -125,10 +125,13 @@ DirectLight direct_light_on_patches(const scenes::Room& room, const std::vector<
   }
   for (const Beam& beam : beams(room)) {
     ArrayXd lit = ArrayXd::Zero(n);
+    double open_area_m2 = 0;  // of the opening's patches: furniture may cover a part
     for (std::size_t i = 0; i < facets.size(); ++i) {
       lit[static_cast<Eigen::Index>(i)] = lit_area_m2(facets[i], beam, visibility, i);
+      if (mesh.surface[i] == beam.surface) open_area_m2 += facets[i].area_m2;
     }
-    spread(lit, beam.flux_area_m2, beam.normal_irradiance, facets, light);
+    spread(lit, open_area_m2 * -beam.opening.normal.dot(beam.to_sun), beam.normal_irradiance,
+           facets, light);
   }
   return light;
 }

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "scenes/patch_mesh.h"
 #include "scenes/room.h"
 #include "solver/radiosity.h"
 #include "solver/visibility.h"
@@ -20,6 +21,7 @@ struct DirectLight {
 };
 
 [[nodiscard]] DirectLight direct_light_on_patches(const scenes::Room& room,
+                                                  const scenes::PatchMesh& mesh,
                                                   const std::vector<Facet>& facets,
                                                   const Visibility& visibility);
 

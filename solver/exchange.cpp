@@ -243,9 +243,4 @@ ExchangeAreas close_exchange(const Eigen::MatrixXd& exchange_area_m2,
   return exchange;
 }
 
-std::int64_t exchange_bytes(const scenes::PatchMesh& mesh) {
-  const std::int64_t blocks = blocks_for(mesh.polygon.size());
-  return blocks * (blocks + 1) / 2 * static_cast<std::int64_t>(kTileSize * sizeof(float));
-}
-
 }  // namespace solver

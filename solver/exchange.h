@@ -48,9 +48,6 @@ struct ExchangeOptions {
 [[nodiscard]] ExchangeAreas close_exchange(const Eigen::MatrixXd& exchange_area_m2,
                                            const Eigen::ArrayXd& area_m2);
 
-/// Bytes of `unscaled` for a mesh if no tile stays empty.
-[[nodiscard]] std::int64_t exchange_bytes(const scenes::PatchMesh& mesh);
-
 [[nodiscard]] std::vector<Facet> facets_of(const scenes::PatchMesh& mesh);
 
 }  // namespace solver

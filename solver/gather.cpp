@@ -44,6 +44,7 @@ void add_directions(const PatchRays& patch_rays, const Vector3d& eye, const Vect
 }
 
 GatherRow normalised(VectorXd sum, const std::vector<double>& area_m2) {
+  if (!(sum.sum() > 0)) throw std::invalid_argument("the eye sees no surface; is it in the room?");
   sum /= sum.sum();
   const double norm = row_norm(sum, area_m2);
   return {.weights = std::move(sum), .standard_error = VectorXd::Zero(sum.size()), .norm = norm};
@@ -60,20 +61,16 @@ bool inside(const std::vector<Vector3d>& polygon, const Vector3d& normal, const 
 
 /// The surface to look at when the file names no view, and the middle of it.
 std::pair<int, Vector3d> default_target(const scenes::Room& room, const scenes::PatchMesh& mesh) {
-  const auto extent =
-      [&](int s) {  // walls are ranked by length, which beats any other surface's rank
-        const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
-        if (surface.kind == scenes::SurfaceKind::wall) {
-          const auto i = static_cast<std::size_t>(surface.index);
-          return 1e6 + (room.plan_m[(i + 1) % room.plan_m.size()] - room.plan_m[i]).norm();
-        }
-        double area = 0;
-        for (int p = 0; p < mesh.size(); ++p) {
-          if (mesh.surface[static_cast<std::size_t>(p)] == s)
-            area += mesh.area_m2[static_cast<std::size_t>(p)];
-        }
-        return area;
-      };
+  const auto extent = [&](int s) {  // walls rank by length, which beats any other surface's area
+    double area = 0;
+    for (std::size_t p = 0; p < mesh.area_m2.size(); ++p) {
+      if (mesh.surface[p] == s) area += mesh.area_m2[p];
+    }
+    const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
+    if (area == 0 || surface.kind != scenes::SurfaceKind::wall) return area;
+    const auto i = static_cast<std::size_t>(surface.index);
+    return 1e6 + (room.plan_m[(i + 1) % room.plan_m.size()] - room.plan_m[i]).norm();
+  };
   std::vector<int> candidates;
   if (room.paint) {
     candidates = room.paint->surfaces;
@@ -150,6 +147,14 @@ Vector3d first_moment(const Vector3d& point, const Vector3d& normal, const Facet
   return sum > 0 ? Vector3d(weight / sum * moment) : Vector3d::Zero();
 }
 
+/// A common vertex: nothing can stand between them.
+bool touch(const Facet& a, const Facet& b) {
+  return std::ranges::any_of(a.vertices, [&](const Vector3d& p) {
+    return std::ranges::any_of(b.vertices,
+                               [&](const Vector3d& q) { return (p - q).norm() < 1e-9; });
+  });
+}
+
 /// Weighted least squares over the neighbours k of patch j: gradient of B = sum_k a_k (B_k - B_j).
 /// Directions in which there is no neighbour have no gradient.
 std::vector<std::pair<Eigen::Index, Vector3d>> gradient_weights(const scenes::PatchMesh& mesh,
@@ -161,9 +166,9 @@ std::vector<std::pair<Eigen::Index, Vector3d>> gradient_weights(const scenes::Pa
   for (std::size_t k = 0; k < facets.size(); ++k) {
     if (k == j || mesh.surface[k] != mesh.surface[j] || mesh.plane[k] != mesh.plane[j]) continue;
     const Vector3d r = mesh.centre[k] - mesh.centre[j];
-    const double r2 = r.squaredNorm(),
-                 reach = kReach * std::max(facets[j].size_m, facets[k].size_m);
-    if (r2 > reach * reach) continue;
+    const double r2 = r.squaredNorm();
+    const double reach = kReach * std::max(facets[j].size_m, facets[k].size_m);
+    if (r2 > reach * reach || !touch(facets[j], facets[k])) continue;
     neighbours.emplace_back(static_cast<Eigen::Index>(k), r / r2);
     normal_matrix += r * r.transpose() / r2;
   }
@@ -189,9 +194,17 @@ void add_gradients(const Vector3d& point, const Vector3d& normal, const scenes::
     const bool near = (facets[j].centre - point).norm() < kNear * facets[j].size_m;
     if (lamp || !near || weights[at] <= 0) continue;
     const Vector3d moment = first_moment(point, normal, facets[j], weights[at]);
-    for (const auto& [k, a] : gradient_weights(mesh, facets, j)) {
-      row.weights[k] += moment.dot(a);
-      row.weights[at] -= moment.dot(a);
+    const auto gradient = gradient_weights(mesh, facets, j);
+    double part = 1, own = 0;  // no weight may fall below 0: light is never negative
+    for (const auto& [k, a] : gradient) {
+      const double change = moment.dot(a);
+      if (change < 0) part = std::min(part, std::max(0.0, row.weights[k]) / -change);
+      own += change;
+    }
+    if (own > 0) part = std::min(part, std::max(0.0, row.weights[at]) / own);
+    for (const auto& [k, a] : gradient) {
+      row.weights[k] += part * moment.dot(a);
+      row.weights[at] -= part * moment.dot(a);
     }
   }
 }

@@ -164,11 +164,12 @@ double exchange_area(const Facet& i, const Facet& j) {
   };
   std::vector<Vector3d> vi = front_of(i, j), vj = front_of(j, i);
   if (vi.empty() || vj.empty()) return 0;
-  const bool whole = vi.size() == i.vertices.size() && vj.size() == j.vertices.size() &&
-                     vi == i.vertices && vj == j.vertices;
-  const double value = whole
-                           ? facing_exchange(i, j)
-                           : facing_exchange(make_facet(std::move(vi)), make_facet(std::move(vj)));
+  const bool whole = vi == i.vertices && vj == j.vertices;
+  const auto value_of_clipped = [&] {
+    const Facet a = make_facet(std::move(vi)), b = make_facet(std::move(vj));
+    return a.area_m2 > kNoArea_m2 && b.area_m2 > kNoArea_m2 ? facing_exchange(a, b) : 0.0;
+  };
+  const double value = whole ? facing_exchange(i, j) : value_of_clipped();
   return std::clamp(value, 0.0, std::min(i.area_m2, j.area_m2));
 }
 

@@ -27,10 +27,11 @@ PatchRays::PatchRays(const scenes::PatchMesh& mesh)
 PatchRays::~PatchRays() = default;
 
 RayHit PatchRays::first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
+  const Eigen::Vector3f from = scene_->rays->local(origin);
   RTCRayHit ray{};
-  ray.ray.org_x = static_cast<float>(origin.x());
-  ray.ray.org_y = static_cast<float>(origin.y());
-  ray.ray.org_z = static_cast<float>(origin.z());
+  ray.ray.org_x = from.x();
+  ray.ray.org_y = from.y();
+  ray.ray.org_z = from.z();
   ray.ray.dir_x = static_cast<float>(direction.x());
   ray.ray.dir_y = static_cast<float>(direction.y());
   ray.ray.dir_z = static_cast<float>(direction.z());

@@ -14,6 +14,8 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
+constexpr double kClosed = 1e-9;  ///< closure defect up to which F has norm 1, as bounds assume
+
 void require(bool holds, const char* what, double value, const char* wanted) {
   if (!holds) throw std::invalid_argument(fmt::format("{} {}; want {}", what, value, wanted));
 }
@@ -137,7 +139,7 @@ RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& em
         .norm_error_bound = proof.norm[column] * highest[column],
         .converged = proof.norm[column] <= proof.allowed[column]};
   }
-  solution.converged = proof.converged();
+  solution.converged = proof.converged() && exchange.closure_defect <= kClosed;
   return solution;
 }
 

@@ -38,7 +38,7 @@ struct RadiositySolution {
   Bands radiosity;   ///< B = S + rho H, leaving each patch
   Bands irradiance;  ///< H = F B + D, arriving at each patch
   std::vector<BandReport> bands;
-  bool converged = false;  ///< all bands
+  bool converged = false;  ///< all bands, in a room that closes
 };
 
 /// Solves H = F B + D, B = S + rho H for Lambertian patches in all bands at once [Goral1984]. S and

@@ -17,7 +17,13 @@ class RayScene {
 
   [[nodiscard]] RTCScene get() const { return scene_; }
 
+  /// Rays are float: their points are taken from the middle of the scene, wherever it lies.
+  [[nodiscard]] Eigen::Vector3f local(const Eigen::Vector3d& p) const {
+    return (p - middle_m_).cast<float>();
+  }
+
  private:
+  Eigen::Vector3d middle_m_;
   RTCDevice device_;
   RTCScene scene_;
 };

@@ -64,14 +64,11 @@ EnergyBalance balance(const RoomTransport& t, const Bands& reflectance, const Ba
 /// Irradiance of the near-white surfaces in view, those near the axis counting more
 /// [Neumann2004] 3.6.
 ArrayXd white_of_surfaces(const scenes::Room& room, const RoomTransport& t,
-                          const RadiositySolution& solution, const Spectrum& viewed_reflectance) {
-  const auto n = static_cast<Eigen::Index>(t.mesh.surface.size());
+                          const RoomSolution& solution) {
   Eigen::VectorXd weight = t.view.near_axis.weights;
-  for (Eigen::Index p = 0; p < n; ++p) {
+  for (int p = 0; p < t.mesh.size(); ++p) {
     const int s = t.mesh.surface[static_cast<std::size_t>(p)];
-    const Spectrum& reflectance = takes_paint(room, s) && takes_paint(room, t.viewed.surface)
-                                      ? viewed_reflectance
-                                      : room.surfaces[static_cast<std::size_t>(s)].reflectance;
+    const Spectrum& reflectance = solution.reflectances[static_cast<std::size_t>(s)];
     if (!(reflectance.values >= kNearWhite).all()) weight[p] = 0;
   }
   if (!(weight.sum() > 0)) {
@@ -81,7 +78,8 @@ ArrayXd white_of_surfaces(const scenes::Room& room, const RoomTransport& t,
           .problem = fmt::format("no surface in view reflects {} in every band", kNearWhite),
           .remedy = "take \"white\": \"ideal\""}});
   }
-  return (weight.transpose() * solution.irradiance.matrix()).transpose().array() / weight.sum();
+  return (weight.transpose() * solution.radiosity.irradiance.matrix()).transpose().array() /
+         weight.sum();
 }
 
 }  // namespace
@@ -103,7 +101,7 @@ RoomSolution solve_room(const scenes::Room& room, const RoomTransport& transport
     solution.receivers.push_back(read(row, solution.radiosity));
   }
   solution.viewed = read(transport.viewed_row, solution.radiosity);
-  solution.viewed_reflectance = reflectances[static_cast<std::size_t>(transport.viewed.surface)];
+  solution.reflectances = reflectances;
   solution.energy = balance(transport, reflectance, solution.radiosity.irradiance);
   return solution;
 }
@@ -116,16 +114,15 @@ spectra::ViewedLight viewed_light(const scenes::Room& room, const RoomTransport&
     return on_grid((row.weights.transpose() * light.radiosity.matrix()).transpose().array());
   };
   const ArrayXd& irradiance = solution.viewed.irradiance;
-  const scenes::Surface& surface =
-      room.surfaces[static_cast<std::size_t>(transport.viewed.surface)];
-  return {
-      .sample = on_grid(surface.exitance.values + solution.viewed_reflectance.values * irradiance),
-      .background = seen(transport.view.background),
-      .field = seen(transport.view.field),
-      .white =
-          room.viewing.white == spectra::ReferenceWhite::ideal
-              ? on_grid(irradiance)
-              : on_grid(white_of_surfaces(room, transport, light, solution.viewed_reflectance))};
+  const auto viewed = static_cast<std::size_t>(transport.viewed.surface);
+  const scenes::Surface& surface = room.surfaces[viewed];
+  const Spectrum& reflectance = solution.reflectances[viewed];
+  return {.sample = on_grid(surface.exitance.values + reflectance.values * irradiance),
+          .background = seen(transport.view.background),
+          .field = seen(transport.view.field),
+          .white = room.viewing.white == spectra::ReferenceWhite::ideal
+                       ? on_grid(irradiance)
+                       : on_grid(white_of_surfaces(room, transport, solution))};
 }
 
 }  // namespace solver

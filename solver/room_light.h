@@ -24,9 +24,9 @@ struct ReceiverLight {
 
 struct RoomSolution {
   RadiositySolution radiosity;
-  std::vector<ReceiverLight> receivers;  ///< in the order of Room::receivers
-  ReceiverLight viewed;                  ///< at the viewed point
-  spectra::Spectrum viewed_reflectance;  ///< of the viewed surface, as it was solved
+  std::vector<ReceiverLight> receivers;         ///< in the order of Room::receivers
+  ReceiverLight viewed;                         ///< at the viewed point
+  std::vector<spectra::Spectrum> reflectances;  ///< per surface, as it was solved
   EnergyBalance energy;
 };
 

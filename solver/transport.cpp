@@ -143,9 +143,6 @@ Plan plan_with(const scenes::Room& room, const scenes::PatchMesh& mesh,
         {fmt::format("{} of {} bands", room.grid.count - plan.bands, room.grid.count),
          "no lamp shines in them"});
   }
-  if (room.viewing.background == spectra::Background::sample) {
-    plan.left_out.push_back({"the background ring", "Y_b is that of the sample, as asked for"});
-  }
   return plan;
 }
 
@@ -200,7 +197,7 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
 
   const std::vector<Facet> facets = facets_of(t.mesh);
   t.emission = emission_of(room, t.mesh);
-  DirectLight direct = direct_light_on_patches(room, facets, visibility);
+  DirectLight direct = direct_light_on_patches(room, t.mesh, facets, visibility);
   t.direct = std::move(direct.irradiance);
   t.direct_scaling = direct.largest_scaling;
   const GatherOptions gather{.lamp = lamp, .lamp_error = options.visibility_error};

@@ -173,10 +173,11 @@ std::uint32_t Visibility::blocked16(const Vector3d* from, const Vector3d* to, in
   alignas(64) std::array<int, kPacket> valid{};
   for (int k = 0; k < count; ++k) {
     const Vector3d r = to[k] - from[k];
+    const Eigen::Vector3f origin = scene_->local(from[k]);
     valid[static_cast<std::size_t>(k)] = -1;
-    rays.org_x[k] = static_cast<float>(from[k].x());
-    rays.org_y[k] = static_cast<float>(from[k].y());
-    rays.org_z[k] = static_cast<float>(from[k].z());
+    rays.org_x[k] = origin.x();
+    rays.org_y[k] = origin.y();
+    rays.org_z[k] = origin.z();
     rays.dir_x[k] = static_cast<float>(r.x());
     rays.dir_y[k] = static_cast<float>(r.y());
     rays.dir_z[k] = static_cast<float>(r.z());
