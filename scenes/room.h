@@ -111,18 +111,17 @@ struct Room {
 /// -1 if there is none.
 [[nodiscard]] int find_surface(const Room& room, std::string_view name);
 
-/// Corners of a box's eight vertices, of a wall rectangle... shared by checks, mesh and solver.
 /// Footprint of a box, counter-clockwise from above.
 [[nodiscard]] std::vector<Eigen::Vector2d> footprint(const Box& box);
 
-/// A planar frame: point = origin + u * along + v * up; normal = along x up, into the room.
+/// A planar frame: point = origin + u * along + v * up; the unit normal points into the room.
 struct Frame {
   Eigen::Vector3d origin_m, along, up, normal;
 };
 
-/// The frame of a floor, ceiling or wall: floor and ceiling coordinates are x, y of the plan (the
-/// ceiling's `normal` points down, so there along x up = -normal), walls are along and up from the
-/// first corner.
+/// The frame of a floor, ceiling or wall: floor and ceiling coordinates are x, y of the plan (there
+/// along x up = +normal and -normal), walls are along and up from the first corner (along x up =
+/// -normal).
 [[nodiscard]] Frame frame_of(const Room& room, int surface);
 
 /// The rectangle of an opening or panel in space, counter-clockwise seen from the room.

@@ -41,7 +41,7 @@ class Visibility {
   [[nodiscard]] SeparationMask separation(const Eigen::Vector3d& point,
                                           const Eigen::Vector3d& normal) const;
 
-  /// Rays between two patches, low-discrepancy, the same for (i, j) and (j, i). The first 16 decide
+  /// Rays between two patches, low-discrepancy, call it once per pair. The first 16 decide
   /// if they agree; else as many as `most_rays`.
   [[nodiscard]] VisibleShare between(const Facet& i, const Facet& j, std::uint64_t seed,
                                      int most_rays) const;
