@@ -90,7 +90,8 @@ TEST(RoomSchema, KnowsTheKeysThatAreRead) {
 }
 
 TEST(RoomSchema, EveryObjectIsCompared) {
-  for (const auto& [name, definition] : schema()["definitions"].items()) {
+  const json definitions = schema()["definitions"];
+  for (const auto& [name, definition] : definitions.items()) {
     if (!definition.contains("additionalProperties")) continue;
     EXPECT_TRUE(std::ranges::count(kObjects, name, &SchemaObject::definition)) << name;
   }
