@@ -56,7 +56,7 @@ ArrayXd paper(std::size_t index) {
       .values;
 }
 
-Eigen::Vector3d jab_of(const spectra::ViewedLight& light, const spectra::ViewingChoices& choices) {
+Eigen::Vector3d jab_in(const spectra::ViewedLight& light, const spectra::ViewingChoices& choices) {
   const RoomView view = view_of_room(light, choices);
   const Correlates k = ciecam02_forward(view.sample, adapt(view.conditions));
   return {k.lightness, k.a_c, k.b_c};
@@ -71,7 +71,7 @@ double slope_error(const Sphere& room, const ArrayXd& rho,
     const auto at = [&](double offset) {
       ArrayXd moved = rho;
       moved[band] += offset;
-      return jab_of(room(moved).light, choices);
+      return jab_in(room(moved).light, choices);
     };
     const Eigen::Vector3d difference =
         (8 * (at(step) - at(-step)) - (at(2 * step) - at(-2 * step))) / (12 * step);
@@ -114,9 +114,20 @@ TEST(JabSlope, FollowsTheSurroundOnEachOfItsPieces) {
 TEST(JabSlope, GivesTheValuesOfTheModelItself) {
   const Sphere room = sphere_lx(300);
   const JabSlope slope = jab_slope(room(paper(117)));
-  EXPECT_EQ(slope.jab, jab_of(room(paper(117)).light, {}));
+  EXPECT_EQ(slope.jab, jab_in(room(paper(117)).light, {}));
   EXPECT_TRUE(slope.status.all_defined());
   EXPECT_EQ(slope.by_reflectance.cols(), 31);
+}
+
+TEST(JabSlope, OfTheEightSumsIsThatOfTheRoom) {
+  const ViewedLightSlope light = sphere_lx(300)(paper(117));
+  const ViewedSums sums = viewed_sums(light.light);
+  EXPECT_NEAR(sums[4], view_of_room(light.light).illuminance_lx, 1e-9);
+  for (const Surround surround : {Surround::neumann, Surround::cie, Surround::dim}) {
+    const Eigen::Vector3d wanted = jab_in(light.light, {surround});
+    EXPECT_LT((jab_of(sums, {surround}) - wanted).norm(), 1e-10);
+    EXPECT_LT((jab_slope(sums, {surround}).jab - wanted).norm(), 1e-10);
+  }
 }
 
 // Brighter paint everywhere: a lighter wall.
