@@ -133,7 +133,7 @@ RoomView view_of_room(const spectra::ViewedLight& light, const spectra::ViewingC
                 .illuminance_lx = white.y,
                 .surround = choices.surround};
   const double background_y = choices.background == spectra::Background::ring
-                                  ? relative(light.background).y
+                                  ? 100 * spectra::luminous(light.background) / white.y
                                   : view.sample.y;
   require_light(background_y, "background");
 

@@ -17,19 +17,20 @@ namespace {
 
 constexpr std::size_t kTableRows = 10;
 
-paints::RankingOptions ranking_options(const RoomRun& run, const RankOptions& options) {
+paints::RankingOptions ranking_options(const RoomRun& run, const RankOptions& options, int top) {
   return {.windows = options.windows,
           .distance = options.distance,
           .viewing = run.room.viewing,
-          .judgement = run.room.judgement};
+          .judgement = run.room.judgement,
+          .top = static_cast<std::size_t>(std::max(top, options.resolve_top))};
 }
 
 /// @throws spectra::InputError  if the room leaves the viewer without light
 paints::Ranking rank_in(const RoomRun& run, const std::vector<spectra::LitRoom>& rooms,
                         const paints::Atlas& atlas, const paints::Target& wish,
-                        const RankOptions& options) {
+                        const RankOptions& options, int top) {
   try {
-    return paints::rank(atlas, wish, rooms, ranking_options(run, options));
+    return paints::rank(atlas, wish, rooms, ranking_options(run, options, top));
   } catch (const std::domain_error& error) {
     throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
   }
@@ -204,13 +205,13 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
 
   PaintedRoom painted(run, options, out, highest_reflectance(atlas, target));
   const std::vector<spectra::LitRoom> rooms = painted.rooms();
-  const paints::Ranking ranking = rank_in(run, rooms, atlas, wish, options);
+  const int top = options.top > 0 ? options.top : run.room.paint.front().top;
+  const paints::Ranking ranking = rank_in(run, rooms, atlas, wish, options, top);
   run.clock.stop("rank");
   const Resolved resolved = resolve(run, painted.solved_rooms(), ranking, wish, options);
   run.clock.stop("resolve");
   talk_about(ranking, atlas);
 
-  const int top = options.top > 0 ? options.top : run.room.paint.front().top;
   const std::vector<Shift> shifts = shifts_of(run, rooms.front(), ranking, atlas, top);
   run.record["ranking"] = describe_ranking(ranking, atlas, wish);
   if (!ranking.paints.empty()) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -72,21 +73,25 @@ double inconstancy(Distance kind, const std::vector<SeenPaint>& seen) {
   return largest;
 }
 
-RankedPaint judge(const Paint& paint, const Target& target,
-                  const std::vector<spectra::LitRoom>& rooms, const RankingOptions& options) {
-  RankedPaint ranked{
-      .paint = &paint,
-      .seen = look(paint.reflectance, target, rooms, options.distance, options.viewing)};
-  std::vector<double> distances;
-  for (const SeenPaint& s : ranked.seen) distances.push_back(s.distance);
-  ranked.distance = judged(options.judgement, distances, rooms);
-  ranked.inconstancy = inconstancy(options.distance, ranked.seen);
-  return ranked;
+bool defined(const std::vector<SeenPaint>& seen) {
+  return std::ranges::all_of(seen,
+                             [](const SeenPaint& s) { return s.correlates.status.all_defined(); });
 }
 
-bool defined(const RankedPaint& ranked) {
-  return std::ranges::all_of(ranked.seen,
-                             [](const SeenPaint& s) { return s.correlates.status.all_defined(); });
+SeenPaint look_once(const spectra::Spectrum& reflectance, const Target& target,
+                    const spectra::LitRoom& room, Distance kind,
+                    const spectra::ViewingChoices& viewing) {
+  SeenPaint seen{.view = appearance::view_of_room(room.view(reflectance), viewing)};
+  seen.correlates =
+      appearance::ciecam02_forward(seen.view.sample, appearance::adapt(seen.view.conditions));
+  seen.distance = distance(kind, seen.correlates, target);
+  return seen;
+}
+
+/// Sorts, and forgets what is not among the best.
+void keep_best(std::vector<RankedPaint>& paints, std::size_t top) {
+  std::ranges::stable_sort(paints, {}, &RankedPaint::distance);
+  if (paints.size() > top) paints.resize(top);
 }
 
 }  // namespace
@@ -135,18 +140,21 @@ Target target_of(const appearance::LightnessChromaHue& wished) {
 
 std::string to_string(Distance distance) { return distance == Distance::jab ? "jab" : "cam02-ucs"; }
 
+double judged(spectra::Judgement judgement, const std::vector<SeenPaint>& seen,
+              const std::vector<spectra::LitRoom>& rooms) {
+  if (seen.size() == 1) return seen.front().distance;
+  std::vector<double> distances;
+  for (const SeenPaint& s : seen) distances.push_back(s.distance);
+  return judged(judgement, distances, rooms);
+}
+
 std::vector<SeenPaint> look(const spectra::Spectrum& reflectance, const Target& target,
                             const std::vector<spectra::LitRoom>& rooms, Distance kind,
                             const spectra::ViewingChoices& viewing) {
   std::vector<SeenPaint> all;
   for (const spectra::LitRoom& room : rooms) {
-    const appearance::RoomView view = appearance::view_of_room(room.view(reflectance), viewing);
-    const Correlates seen =
-        appearance::ciecam02_forward(view.sample, appearance::adapt(view.conditions));
-    all.push_back({.distance = distance(kind, seen, target),
-                   .correlates = seen,
-                   .view = view,
-                   .chromaticity = spectra::chromaticity(view.sample)});
+    all.push_back(look_once(reflectance, target, room, kind, viewing));
+    all.back().chromaticity = spectra::chromaticity(all.back().view.sample);
   }
   return all;
 }
@@ -156,19 +164,34 @@ Ranking rank(const Atlas& atlas, const Target& target, const std::vector<spectra
   require_sound(target, options.windows);
   if (rooms.empty()) throw std::invalid_argument("no lighting to rank under");
   Ranking ranking;
+  std::vector<SeenPaint> seen;
+  double enough = std::numeric_limits<double>::infinity();  // what the best must be below
   for (const Paint& paint : atlas.paints) {
     if (rejected(paint, options.windows, target)) {
       ++ranking.rejected;
       continue;
     }
-    RankedPaint ranked = judge(paint, target, rooms, options);
-    if (defined(ranked)) {
-      ranking.paints.push_back(std::move(ranked));
-    } else {
+    seen.clear();
+    for (const spectra::LitRoom& room : rooms) {
+      seen.push_back(look_once(paint.reflectance, target, room, options.distance, options.viewing));
+    }
+    if (!defined(seen)) {
       ranking.undefined.push_back(paint.name);
+      continue;
+    }
+    const double distance = judged(options.judgement, seen, rooms);
+    if (distance >= enough) continue;
+    for (SeenPaint& s : seen) s.chromaticity = spectra::chromaticity(s.view.sample);
+    ranking.paints.push_back({.paint = &paint,
+                              .distance = distance,
+                              .inconstancy = inconstancy(options.distance, seen),
+                              .seen = seen});
+    if (ranking.paints.size() / 2 >= options.top) {
+      keep_best(ranking.paints, options.top);
+      enough = ranking.paints.back().distance;
     }
   }
-  std::ranges::stable_sort(ranking.paints, {}, &RankedPaint::distance);
+  keep_best(ranking.paints, options.top);
   return ranking;
 }
 

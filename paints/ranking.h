@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,7 @@ struct RankingOptions {
   Distance distance = Distance::jab;
   spectra::ViewingChoices viewing;
   spectra::Judgement judgement = spectra::Judgement::mean;
+  std::size_t top = std::numeric_limits<std::size_t>::max();  ///< how many of the best are kept
 };
 
 /// A paint on the viewed wall of the room, in one lighting.
@@ -58,7 +60,7 @@ struct RankedPaint {
 };
 
 struct Ranking {
-  std::vector<RankedPaint> paints;  ///< by distance, ties by the atlas's order
+  std::vector<RankedPaint> paints;  ///< the best by distance, ties by the atlas's order
   int rejected = 0;                 ///< by the windows
   std::vector<std::string>
       undefined;  ///< names of paints whose appearance the model does not define
@@ -76,6 +78,10 @@ struct Ranking {
                                           const Target& target,
                                           const std::vector<spectra::LitRoom>& rooms, Distance kind,
                                           const spectra::ViewingChoices& viewing);
+
+/// One distance from theirs.
+[[nodiscard]] double judged(spectra::Judgement judgement, const std::vector<SeenPaint>& seen,
+                            const std::vector<spectra::LitRoom>& rooms);
 
 /// Every paint of the atlas, by how near it looks in the room to the target. The room is asked once
 /// in each lighting for each paint that the windows let pass, in the atlas's order; what it throws

@@ -105,9 +105,9 @@ RoomResponse::RoomResponse(const ReducedViews& views, int varying, int viewed,
       varying_(varying),
       viewed_(viewed),
       outputs_(views.white_of_surfaces ? kOutputs : kViewOutputs) {
-  if (grid_.count > Row::MaxColsAtCompileTime) {
+  if (grid_.count > kMostBands) {
     throw std::invalid_argument(
-        fmt::format("{} bands; want at most {}", grid_.count, int{Row::MaxColsAtCompileTime}));
+        fmt::format("{} bands; want at most {}", grid_.count, int{kMostBands}));
   }
   const int groups = views.room.groups;
   if (varying < 0 || varying >= groups || viewed < 0 || viewed >= views.viewed ||
@@ -119,20 +119,11 @@ RoomResponse::RoomResponse(const ReducedViews& views, int varying, int viewed,
     if (j != varying) check(paints[static_cast<std::size_t>(j)]);
   }
   set_outputs(views, paints);
-  if (viewed != varying) viewed_paint_ = paints[static_cast<std::size_t>(viewed)].values;
+  if (viewed != varying) viewed_paint_ = lane_of(paints[static_cast<std::size_t>(viewed)]);
 
-  Index poles = 0, lightings = 0;
-  for (const ReducedRoom::Band& b : views.room.bands) {
-    const auto& t = views.room.transfers[static_cast<std::size_t>(b.transfer)];
-    poles = std::max<Index>(poles, std::ranges::count(t.group, varying));
-    lightings = b.gamma.cols();
-  }
-  pole_ = Bands::Zero(poles, grid_.count);
-  sums_.resize(static_cast<std::size_t>(lightings));
-  for (Sums& s : sums_) {
-    s.constant = Bands::Zero(kOutputs, grid_.count);
-    s.weight.fill(pole_);
-  }
+  Lanes none;
+  none.fill(Lane::Zero());
+  sums_.resize(static_cast<std::size_t>(views.room.bands.front().gamma.cols()), {.constant = none});
   for (int band = 0; band < grid_.count; ++band) {
     VectorXd reflectance = VectorXd::Zero(groups);
     for (int j = 0; j < groups; ++j) {
@@ -199,22 +190,32 @@ void RoomResponse::add_band(const ReducedViews& views, int band, const VectorXd&
       highest_reflectance_ / (1 - highest_reflectance_ * eigen.eigenvalues().array());
   const ArrayXd loudest =
       (from_pole.colwise().norm().transpose().array() * into_pole.rowwise().norm().array() * most);
-  Index kept = 0;
+  std::size_t kept = 0;
   for (Index i = 0; i < k.rows(); ++i) {
     if (!(loudest[i] > kSilentPole * (loudest.maxCoeff() + constant.norm()))) continue;
-    pole_(kept, band) = eigen.eigenvalues()[i];
+    if (kept == pole_.size()) add_pole();
+    pole_[kept][band] = eigen.eigenvalues()[i];
     for (std::size_t l = 0; l < sums_.size(); ++l) {
       for (int o = 0; o < outputs_; ++o) {
-        sums_[l].weight[static_cast<std::size_t>(o)](kept, band) =
+        sums_[l].weight[kept][static_cast<std::size_t>(o)][band] =
             from_pole(o, i) * into_pole(i, static_cast<Index>(l));
       }
     }
     ++kept;
   }
   for (std::size_t l = 0; l < sums_.size(); ++l) {
-    sums_[l].constant.col(band).head(outputs_) = constant.col(static_cast<Index>(l)).array();
+    for (int o = 0; o < outputs_; ++o) {
+      sums_[l].constant[static_cast<std::size_t>(o)][band] = constant(o, static_cast<Index>(l));
+    }
   }
-  poles_ = std::max(poles_, kept);
+}
+
+/// Silent in every band so far.
+void RoomResponse::add_pole() {
+  pole_.push_back(Lane::Zero());
+  Lanes none;
+  none.fill(Lane::Zero());
+  for (Sums& s : sums_) s.weight.push_back(none);
 }
 
 void RoomResponse::check(const Spectrum& paint) const {
@@ -226,63 +227,64 @@ void RoomResponse::check(const Spectrum& paint) const {
   }
 }
 
-template <bool with_slope>
-spectra::ViewedLightSlope RoomResponse::evaluate(const Spectrum& paint,
-                                                 std::size_t lighting) const {
-  check(paint);
-  const Sums& sums = sums_.at(lighting);
-  const Row rho = paint.values.transpose();
-  std::array<Row, kOutputs> y, by_rho;
-  for (int o = 0; o < outputs_; ++o) {
-    const auto at = static_cast<std::size_t>(o);
-    y[at] = sums.constant.row(o);
-    if (with_slope) by_rho[at] = Row::Zero(grid_.count);
-  }
-  for (Index i = 0; i < poles_; ++i) {
-    const Row once = (1 - rho * pole_.row(i)).inverse(), p = rho * once;
-    for (int o = 0; o < outputs_; ++o) {
-      const auto at = static_cast<std::size_t>(o);
-      y[at] += sums.weight[at].row(i) * p;
-      if (with_slope) by_rho[at] += sums.weight[at].row(i) * once * once;
-    }
-  }
-  const auto on_grid = [&](const Row& values) { return Spectrum{grid_, values.transpose()}; };
-  const bool own = viewed_ == varying_;
-  const Row wall = own ? rho : Row(viewed_paint_.transpose());
-  const auto viewed = [&](const std::array<Row, kOutputs>& v, const Row& sample) {
-    return spectra::ViewedLight{.sample = on_grid(sample),
-                                .background = on_grid(v[background]),
-                                .field = on_grid(v[field]),
-                                .white = on_grid(white_of(v, paint))};
-  };
-  spectra::ViewedLightSlope result{.light = viewed(y, wall * y[irradiance])};
-  if (with_slope) {
-    const Row direct = own ? y[irradiance] : Row(Row::Zero(grid_.count));
-    result.by_reflectance = viewed(by_rho, wall * by_rho[irradiance] + direct);
-  }
-  return result;
+RoomResponse::Lane RoomResponse::lane_of(const Spectrum& paint) const {
+  Lane lane = Lane::Zero();
+  lane.head(grid_.count) = paint.values;
+  return lane;
 }
 
-RoomResponse::Row RoomResponse::white_of(const std::array<Row, kOutputs>& v,
-                                         const Spectrum& paint) const {
-  if (outputs_ == kViewOutputs) return v[irradiance];
-  const bool varying = near_white(paint);
-  const double share = share_given_ + (varying ? share_varying_ : 0);
-  if (!(share > 0)) {
-    throw std::domain_error(
-        fmt::format("no surface in view reflects {} in every band; take the "
-                    "ideal white",
-                    kNearWhite));
+spectra::ViewedLight RoomResponse::viewed(const Lanes& outputs, const Lane& sample,
+                                          const Spectrum& paint) const {
+  const auto on_grid = [&](const auto& lane) { return Spectrum{grid_, lane.head(grid_.count)}; };
+  spectra::ViewedLight light{.sample = on_grid(sample),
+                             .background = on_grid(outputs[background]),
+                             .field = on_grid(outputs[field])};
+  if (outputs_ == kViewOutputs) {
+    light.white = on_grid(outputs[irradiance]);
+    return light;
   }
-  return (varying ? Row(v[white_given] + v[white_varying]) : v[white_given]) / share;
+  const double varying = near_white(paint) ? 1 : 0, share = share_given_ + varying * share_varying_;
+  if (!(share > 0)) {
+    throw std::domain_error(fmt::format(
+        "no surface in view reflects {} in every band; take the ideal white", kNearWhite));
+  }
+  const Lane white = (outputs[white_given] + varying * outputs[white_varying]) / share;
+  light.white = on_grid(white);
+  return light;
 }
 
 spectra::ViewedLight RoomResponse::light(const Spectrum& paint, std::size_t lighting) const {
-  return evaluate<false>(paint, lighting).light;
+  check(paint);
+  const Sums& sums = sums_.at(lighting);
+  const auto outputs = static_cast<std::size_t>(outputs_);
+  const Lane rho = lane_of(paint);
+  Lanes y = sums.constant;
+  for (std::size_t k = 0; k < pole_.size(); ++k) {
+    const Lane p = rho / (1 - rho * pole_[k]);
+    for (std::size_t o = 0; o < outputs; ++o) y[o] += sums.weight[k][o] * p;
+  }
+  return viewed(y, (viewed_ == varying_ ? rho : viewed_paint_) * y[irradiance], paint);
 }
 
 spectra::ViewedLightSlope RoomResponse::slope(const Spectrum& paint, std::size_t lighting) const {
-  return evaluate<true>(paint, lighting);
+  check(paint);
+  const Sums& sums = sums_.at(lighting);
+  const auto outputs = static_cast<std::size_t>(outputs_);
+  const Lane rho = lane_of(paint);
+  Lanes y = sums.constant, by_rho;
+  by_rho.fill(Lane::Zero());
+  for (std::size_t k = 0; k < pole_.size(); ++k) {
+    const Lane rest = 1 - rho * pole_[k], p = rho / rest, once = rest.inverse();
+    for (std::size_t o = 0; o < outputs; ++o) {
+      y[o] += sums.weight[k][o] * p;
+      by_rho[o] += sums.weight[k][o] * once * once;  // d/drho of rho / (1 - rho lambda)
+    }
+  }
+  const bool own = viewed_ == varying_;
+  const Lane wall = own ? rho : viewed_paint_;
+  const Lane direct = own ? y[irradiance] : Lane(Lane::Zero());
+  return {.light = viewed(y, wall * y[irradiance], paint),
+          .by_reflectance = viewed(by_rho, wall * by_rho[irradiance] + direct, paint)};
 }
 
 }  // namespace solver

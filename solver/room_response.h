@@ -55,21 +55,21 @@ class RoomResponse {
   /// is given and of the varying group.
   enum Output { irradiance, background, field, white_given, white_varying, kOutputs };
 
+  static constexpr int kMostBands = 32;
+  using Lane = Eigen::Array<double, kMostBands, 1>;  ///< one value per band, 0 beyond the grid
+  using Lanes = std::array<Lane, kOutputs>;
+
   struct Sums {
-    Bands constant;                      ///< y0, output x band
-    std::array<Bands, kOutputs> weight;  ///< w_k, pole x band
+    Lanes constant;             ///< y0
+    std::vector<Lanes> weight;  ///< w_k, per pole
   };
 
-  /// One value per band, without heap memory up to this many.
-  using Row = Eigen::Array<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 96>;
-
-  template <bool with_slope>
-  [[nodiscard]] spectra::ViewedLightSlope evaluate(const spectra::Spectrum& paint,
-                                                   std::size_t lighting) const;
-  [[nodiscard]] Row white_of(const std::array<Row, kOutputs>& v,
-                             const spectra::Spectrum& paint) const;
+  [[nodiscard]] Lane lane_of(const spectra::Spectrum& paint) const;
+  [[nodiscard]] spectra::ViewedLight viewed(const Lanes& outputs, const Lane& sample,
+                                            const spectra::Spectrum& paint) const;
   void set_outputs(const ReducedViews& views, const std::vector<spectra::Spectrum>& paints);
   void add_band(const ReducedViews& views, int band, const Eigen::VectorXd& reflectance);
+  void add_pole();
   void check(const spectra::Spectrum& paint) const;
 
   spectra::Grid grid_;
@@ -77,9 +77,8 @@ class RoomResponse {
   int varying_ = 0, viewed_ = 0, outputs_ = 0;
   Eigen::MatrixXd chosen_;                      ///< outputs_ x outputs of the reduced room
   double share_given_ = 0, share_varying_ = 0;  ///< of the view, as near-white surfaces
-  Eigen::ArrayXd viewed_paint_;                 ///< where the viewed group does not vary
-  Eigen::Index poles_ = 0;                      ///< of the band that has the most
-  Bands pole_;                                  ///< lambda_k, pole x band
+  Lane viewed_paint_;                           ///< where the viewed group does not vary
+  std::vector<Lane> pole_;                      ///< lambda_k
   std::vector<Sums> sums_;                      ///< per lighting
 };
 

@@ -41,6 +41,13 @@ int row_of(double wavelength_nm) {
 
 const ColourMatching& colour_matching(const Grid& grid) {
   static const ColourMatching published = published_table();
+  if (grid == kTransportGrid) {  // asked for millions of times a second: no lock
+    static const ColourMatching transport =
+        published(Eigen::seqN(row_of(grid.first_nm), grid.count,
+                              row_of(grid.first_nm + grid.step_nm) - row_of(grid.first_nm)),
+                  Eigen::all);
+    return transport;
+  }
   static std::mutex mutex;
   static std::map<std::tuple<double, double, int>, ColourMatching> cache;
 

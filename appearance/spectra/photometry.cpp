@@ -5,11 +5,16 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "appearance/spectra/cie_tables.h"
 #include "appearance/spectra/tristimulus.h"
 
 namespace spectra {
 
-double luminous(const Spectrum& light) { return absolute_xyz(light).y; }
+double luminous(const Spectrum& light) {
+  if (light.values.size() != light.grid.count) return absolute_xyz(light).y;  // which refuses it
+  return kMaxLuminousEfficacy_lm_W * light.grid.step_nm *
+         colour_matching(light.grid).col(1).dot(light.values.matrix());
+}
 
 Spectrum scaled_to_luminous(const Spectrum& shape, double amount) {
   const double unscaled = luminous(shape);

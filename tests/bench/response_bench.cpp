@@ -65,7 +65,8 @@ void BM_Rank(benchmark::State& state, const char* name) {
   for (auto _ : state) {
     const paints::Ranking ranking = paints::rank(
         atlas, target,
-        {{.view = [&](const spectra::Spectrum& paint) { return response.light(paint); }}});
+        {{.view = [&](const spectra::Spectrum& paint) { return response.light(paint); }}},
+        {.top = 20});
     if (ranking.paints.empty() || !(ranking.paints[0].distance <= ranking.paints[1].distance))
       state.SkipWithError("no order");
   }
