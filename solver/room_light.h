@@ -31,6 +31,15 @@ struct RoomSolution {
   EnergyBalance energy;
 };
 
+/// What a receiver gathers from solved radiosities; `direct` comes from point lights and sun.
+[[nodiscard]] ReceiverLight read_light(const GatherRow& row, const Eigen::ArrayXd& direct,
+                                       const RadiositySolution& solution);
+
+/// @param sources   S + D
+/// @param absorbed  H - R H
+[[nodiscard]] EnergyBalance energy_balance(const Eigen::ArrayXd& area_m2, const Bands& sources,
+                                           const Bands& absorbed);
+
 /// Which light and which paints a room is solved with.
 struct RoomState {
   std::size_t lighting = 0;               ///< into RoomTransport::lightings
