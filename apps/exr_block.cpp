@@ -1,34 +1,35 @@
 #include "apps/exr_block.h"
 
 #include <Imath/ImathFun.h>
-#include <Imath/half.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <string_view>
 #include <thread>
 
+#include "apps/half_floats.h"
+
 namespace apps {
 namespace {
 
-/// 65520 is half-way between the largest half, 65504, and the next power of two: it rounds up to
-/// infinity.
-constexpr float kInfiniteHalf = 65520;
-
 std::int64_t bytes_of(Imf::PixelType type) { return type == Imf::HALF ? 2 : 4; }
 
-/// Calls job(row, worker's own share) for all rows, each worker a contiguous share of them.
+/// Calls job(row) for all rows; each thread takes a few at a time, as it comes to them.
 template <typename Job>
 void for_rows(std::int64_t rows, int threads, const Job& job) {
-  const std::int64_t workers = std::clamp<std::int64_t>(rows, 1, threads);
-  const auto share = [&](std::int64_t k) {
-    for (std::int64_t row = k * rows / workers; row < (k + 1) * rows / workers; ++row) {
-      job(static_cast<std::size_t>(row));
+  constexpr std::int64_t kAtOnce = 16;
+  std::atomic<std::int64_t> next = 0;
+  const auto work = [&] {
+    for (std::int64_t first = next.fetch_add(kAtOnce); first < rows;
+         first = next.fetch_add(kAtOnce)) {
+      const std::int64_t end = std::min(first + kAtOnce, rows);
+      for (std::int64_t row = first; row < end; ++row) job(static_cast<std::size_t>(row));
     }
   };
   std::vector<std::jthread> others;
-  for (std::int64_t k = 1; k < workers; ++k) others.emplace_back(share, k);
-  share(0);
+  for (int k = 1; k < threads && k * kAtOnce < rows; ++k) others.emplace_back(work);
+  work();
 }
 
 }  // namespace
@@ -99,21 +100,21 @@ void ExrBlock::relight_row(const Relighting& relighting, std::size_t row,
   for (std::int64_t x = 0; x < width_; x += kStrip) {
     const auto count = static_cast<int>(std::min<std::int64_t>(kStrip, width_ - x));
     std::array<float*, 3> rgb{};
-    std::array<half*, 3> halves{};
+    std::array<std::uint16_t*, 3> halves{};
     for (std::size_t c = 0; c < 3; ++c) {
       Plane& plane = planes_[rgb_[c]];
       std::byte* samples = plane.samples.data() + row * plane.row_bytes;
       if (plane.channel.type == Imf::HALF) {
-        halves[c] = reinterpret_cast<half*>(samples) + x;
+        halves[c] = reinterpret_cast<std::uint16_t*>(samples) + x;
         rgb[c] = as_float[c].data();
-        std::copy_n(halves[c], count, rgb[c]);
+        floats_from_halves(halves[c], count, rgb[c]);
       } else {
         rgb[c] = reinterpret_cast<float*>(samples) + x;
       }
     }
     relight_strip(relighting, rgb, count, statistics);
     for (std::size_t c = 0; c < 3; ++c) {
-      if (halves[c] != nullptr) std::copy_n(rgb[c], count, halves[c]);
+      if (halves[c] != nullptr) halves_from_floats(rgb[c], count, halves[c]);
     }
   }
 }
