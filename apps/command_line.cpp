@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "appearance/spectra/bilinear.h"
+
 namespace apps {
 namespace {
 
@@ -17,6 +19,15 @@ const CLI::Validator kPositive(
       return good ? std::string() : text + " is no number above 0";
     },
     "ABOVE 0");
+
+const CLI::Validator kNotNegative(
+    [](const std::string& text) {
+      double value = 0;
+      const bool good =
+          CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0;
+      return good ? std::string() : text + " is no number from 0";
+    },
+    "FROM 0");
 
 void add_patch_option(CLI::App& command, RoomOptions& options) {
   command.add_option("--patch-m", options.patch_m, "longest patch edge in m (default: the room's)")
@@ -187,6 +198,44 @@ void add_file_commands(CLI::App& program, CommandLine& line) {
   add_out(brick.app(), parts->out);
 }
 
+/// Three numbers with commas between them.
+template <typename Value>
+CLI::Option* add_colour(CLI::App& command, const std::string& name, Value& colour,
+                        const std::string& what) {
+  return command.add_option(name, colour, what)->delimiter(',')->check(kNotNegative);
+}
+
+CLI::Option* add_set_option(CLI::App& command, std::string& set) {
+  return command
+      .add_option("--set", set,
+                  fmt::format("coefficients of the bilinear product: {} (default {})",
+                              fmt::join(spectra::bilinear_set_names(), ", "), set))
+      ->check(CLI::IsMember(spectra::bilinear_set_names()).description("SET"));
+}
+
+void add_picture_commands(CLI::App& program, CommandLine& line) {
+  Subcommand relight(program, "relight",
+                     "A picture in OpenEXR under another light [Granier2004]: R, G, B divided by "
+                     "the colour of one light, times that of another; all else is kept",
+                     "sky.exr evening.exr --from 0.4,0.9,1.0 --to 1.0,0.9,0.1");
+  const auto relit = relight.runs(relight_picture, line);
+  relight.app().add_option("IN", relit->in, "OpenEXR picture with R, G, B")->required();
+  relight.app().add_option("OUT", relit->out, "the same under the other light")->required();
+  add_colour(relight.app(), "--from", relit->from, "r,g,b of the light it was taken in")
+      ->required();
+  add_colour(relight.app(), "--to", relit->to, "r,g,b of the other light")->required();
+  auto* classical = relight.app().add_flag("--classical", relit->classical,
+                                           "component by component, for comparison");
+  add_set_option(relight.app(), relit->set)->excludes(classical);
+
+  Subcommand shader(program, "shader",
+                    "The bilinear product as a function in the shading language of OpenGL ES",
+                    "--set srgb");
+  const auto printed = shader.runs(print_shader, line);
+  add_set_option(shader.app(), printed->set);
+  add_colour(shader.app(), "--alpha", printed->alpha, "r,g,b: share of other products, from 0");
+}
+
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
@@ -197,7 +246,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", "roomhue " ROOMHUE_VERSION);
   program.add_flag("--json", line.session.json, "data on stdout as JSON");
-  program.add_option("--threads", line.threads, "how many threads (default: one per core)")
+  program.add_option("--threads", line.session.threads, "how many threads (default: one per core)")
       ->check(CLI::Range(1, 4096));
   program.footer(
       "Exit codes: 0 done, 1 our bug, 2 usage, 3 invalid input, 4 file cannot be read or written,\n"
@@ -206,6 +255,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_room_commands(program, line);
   add_rank_commands(program, line);
   add_file_commands(program, line);
+  add_picture_commands(program, line);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

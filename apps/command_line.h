@@ -9,7 +9,6 @@ namespace apps {
 /// `exit` is the answer.
 struct CommandLine {
   Session session;
-  int threads = 0;  ///< 0: one per core
   std::function<Exit(const Session&)> job;
   Exit exit = Exit::done;
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace apps {
 struct Session {
   std::vector<std::string> command_line;
   bool json = false;  ///< data on stdout as JSON
+  int threads = 0;    ///< 0: one per core
 };
 
 struct RoomCommand {
@@ -36,6 +38,20 @@ struct FileCommand {
   bool inverse = false;  ///< appearance only
 };
 
+using Colour = std::array<double, 3>;  ///< red, green, blue
+
+struct RelightCommand {
+  std::string in, out;
+  Colour from{}, to{};
+  std::string set = "granier-iso";
+  bool classical = false;
+};
+
+struct ShaderCommand {
+  std::string set = "granier-iso";
+  std::optional<Colour> alpha;
+};
+
 Exit check_room(const RoomCommand& command, const Session& session);
 Exit solve_room(const SolveCommand& command, const Session& session);
 Exit shift_room(const RoomCommand& command, const Session& session);
@@ -44,5 +60,7 @@ Exit batch_rooms(const RankCommand& command, const Session& session);
 Exit convert_table(const FileCommand& command, const Session& session);
 Exit solve_cube(const FileCommand& command, const Session& session);
 Exit solve_brick(const FileCommand& command, const Session& session);
+Exit relight_picture(const RelightCommand& command, const Session& session);
+Exit print_shader(const ShaderCommand& command, const Session& session);
 
 }  // namespace apps

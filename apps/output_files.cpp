@@ -11,7 +11,6 @@
 #include <cstring>
 #include <mutex>
 #include <thread>
-#include <utility>
 
 #include "appearance/spectra/input_error.h"
 
@@ -96,8 +95,7 @@ fs::path target_of(const fs::path& path) {
 }
 
 void write_and_flush(const fs::path& path, std::string_view text) {
-  const int descriptor =
-      ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) fail(path);
   bool written = true;
   while (written && !text.empty()) {
@@ -110,6 +108,33 @@ void write_and_flush(const fs::path& path, std::string_view text) {
   ::close(descriptor);
   errno = problem;
   if (!written) fail(path);
+}
+
+/// What a file is called while it is being written, and where it goes.
+struct Staged {
+  fs::path temporary, target;
+};
+
+/// Makes missing folders and the temporary, empty and beside its target.
+Staged stage(const fs::path& path, Unfinished& unfinished) {
+  make_folders(folder_of(path), unfinished);
+  const fs::path target = target_of(path);
+  const fs::path temporary =
+      folder_of(target) / fmt::format(".{}.{}.tmp", target.filename().string(), ::getpid());
+  unfinished.add(temporary);
+  const int descriptor =
+      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail(temporary);
+  ::close(descriptor);
+  return {.temporary = temporary, .target = target};
+}
+
+void commit(const std::vector<Staged>& files, Unfinished& unfinished) {
+  const std::scoped_lock lock(commit_mutex());
+  for (const auto& [temporary, target] : files) {
+    if (::rename(temporary.c_str(), target.c_str()) != 0) fail(target);
+  }
+  unfinished.keep();
 }
 
 }  // namespace
@@ -126,21 +151,20 @@ void require_writable(const fs::path& folder) {
 
 void write_files(const std::vector<OutputFile>& files) {
   Unfinished unfinished;
-  std::vector<std::pair<fs::path, fs::path>> renames;
+  std::vector<Staged> staged;
   for (const OutputFile& file : files) {
-    make_folders(folder_of(file.path), unfinished);
-    const fs::path target = target_of(file.path);
-    const fs::path temporary =
-        folder_of(target) / fmt::format(".{}.{}.tmp", target.filename().string(), ::getpid());
-    unfinished.add(temporary);
-    write_and_flush(temporary, file.text);
-    renames.emplace_back(temporary, target);
+    staged.push_back(stage(file.path, unfinished));
+    write_and_flush(staged.back().temporary, file.text);
   }
-  const std::scoped_lock lock(commit_mutex());
-  for (const auto& [temporary, target] : renames) {
-    if (::rename(temporary.c_str(), target.c_str()) != 0) fail(target);
-  }
-  unfinished.keep();
+  commit(staged, unfinished);
+}
+
+void write_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  Unfinished unfinished;
+  const Staged file = stage(path, unfinished);
+  write(file.temporary);
+  write_and_flush(file.temporary, "");
+  commit({file}, unfinished);
 }
 
 void exit_cleanly_on_signals() {

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,12 @@ void require_writable(const std::filesystem::path& folder);
 /// then renamed in the given order. Missing folders are made; on failure nothing stays behind.
 /// @throws spectra::FileError
 void write_files(const std::vector<OutputFile>& files);
+
+/// The same for one file that is too large to be held in memory: `write` fills the temporary, which
+/// is there and empty.
+/// @throws spectra::FileError, and whatever `write` throws
+void write_file(const std::filesystem::path& path,
+                const std::function<void(const std::filesystem::path& temporary)>& write);
 
 /// From here on SIGINT, SIGTERM and SIGHUP remove temporaries, wait for renames under way and end
 /// the program with 128 + signal. Call before any thread is started.

@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   apps::Outcome outcome = apps::guarded([&] {
     const apps::CommandLine line = apps::parse_command_line(argc, argv);
     if (!line.job) return line.exit;
-    if (line.threads > 0) solver::set_threads(line.threads);
+    if (line.session.threads > 0) solver::set_threads(line.session.threads);
     return line.job(line.session);
   });
   if (outcome.exit == apps::Exit::done && std::fflush(stdout) != 0) {

@@ -12,7 +12,7 @@ set(apps_may               "appearance|scenes|solver|paints|apps")
 # Headers of libraries that only one folder may know.
 set(only_in_scenes "OpenMesh/")
 set(only_in_solver "embree3/|tbb/|oneapi/|hwy/")
-set(only_in_apps   "CLI/|openssl/")
+set(only_in_apps   "CLI/|openssl/|OpenEXR/|Imath/")
 
 foreach(part appearance/spectra scenes solver appearance paints apps)
   file(GLOB_RECURSE files RELATIVE ${CMAKE_SOURCE_DIR} ${part}/*.h ${part}/*.cpp)

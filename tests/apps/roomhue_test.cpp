@@ -22,8 +22,8 @@ std::string bands(char quantity) {
 TEST(Roomhue, HelpAndVersionAreNoErrors) {
   EXPECT_EQ(roomhue("--help").exit_code, 0);
   EXPECT_THAT(roomhue("--version").out, StartsWith("roomhue "));
-  for (const char* command :
-       {"check", "solve", "shift", "rank", "appearance", "cube", "brick", "batch"}) {
+  for (const char* command : {"check", "solve", "shift", "rank", "appearance", "cube", "brick",
+                              "batch", "relight", "shader"}) {
     const ProgramRun run = roomhue(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_THAT(run.out, HasSubstr("Example: roomhue " + std::string(command))) << command;
@@ -53,6 +53,12 @@ INSTANTIATE_TEST_SUITE_P(
                       UsageError{"patch_of_nan", "check scenes/rooms/box.json --patch-m nan"},
                       UsageError{"unknown_method", "solve x.json --out x --method magic"},
                       UsageError{"top_of_zero", "rank x.json --out x --top 0"},
+                      UsageError{"unknown_set", "shader --set cmyk"},
+                      UsageError{"light_of_two", "relight a b --from 1,1 --to 1,1,1"},
+                      UsageError{"light_of_nan", "relight a b --from 1,1,nan --to 1,1,1"},
+                      UsageError{"light_below_zero", "relight a b --from 1,1,1 --to 1,1,-1"},
+                      UsageError{"set_of_classical",
+                                 "relight a b --from 1,1,1 --to 1,1,1 --set iso --classical"},
                       UsageError{"threads_of_zero", "check x.json --threads 0"}),
     [](const auto& usage) { return usage.param.name; });
 
