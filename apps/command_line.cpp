@@ -47,10 +47,22 @@ void add_options(CLI::App& command, RoomOptions& options) {
       ->check(kPositive);
 }
 
-void add_options(CLI::App& command, RankOptions& options) {
+/// What every look at the paints of an atlas in a room takes.
+void add_atlas_options(CLI::App& command, RankOptions& options) {
   add_options(command, options.room);
   command.add_option("--atlas", options.atlas,
                      "atlas by name, or a CSV file (default: the room's)");
+  command.add_option("--response", options.response,
+                     "file of the room response, read if it fits the room, else written (default: "
+                     "response.json in the folder)");
+  command
+      .add_option("--distance", options.distance,
+                  "jab (default: Euclidean in J, a_C, b_C) or cam02-ucs")
+      ->transform(CLI::CheckedTransformer(distance_names()).description("SPACE"));
+}
+
+void add_options(CLI::App& command, RankOptions& options) {
+  add_atlas_options(command, options);
   command
       .add_option("--top", options.top, "how many of the best are written (default: the room's)")
       ->check(CLI::Range(1, 1000000));
@@ -58,9 +70,6 @@ void add_options(CLI::App& command, RankOptions& options) {
       .add_option("--resolve-top", options.resolve_top,
                   "how many of the best are checked by full solves (default 10)")
       ->check(CLI::Range(0, 1000000));
-  command.add_option("--response", options.response,
-                     "file of the room response, read if it fits the room, else written (default: "
-                     "response.json in the folder)");
   command
       .add_option("--max-dJ", options.windows.lightness,
                   "leave out paints whose swatch differs more than this in lightness")
@@ -68,10 +77,6 @@ void add_options(CLI::App& command, RankOptions& options) {
   command.add_option("--max-dC", options.windows.chroma, "the same in chroma")->check(kPositive);
   command.add_option("--max-dh", options.windows.hue_deg, "the same in hue, degrees")
       ->check(kPositive);
-  command
-      .add_option("--distance", options.distance,
-                  "jab (default: Euclidean in J, a_C, b_C) or cam02-ucs")
-      ->transform(CLI::CheckedTransformer(distance_names()).description("SPACE"));
 }
 
 /// Three numbers in place of spectra, and only the methods that suit them.
@@ -161,6 +166,15 @@ void add_rank_commands(CLI::App& program, CommandLine& line) {
   rank.app().add_option("ROOM", ranked->rooms, "room file with paint.target")->required();
   add_out(rank.app(), ranked->out);
   add_options(rank.app(), ranked->options);
+
+  Subcommand atlas(program, "atlas",
+                   "A whole atlas on the swatch and in the room, and what to order to see a chip: "
+                   "atlas.csv, orders.csv, atlas.svg",
+                   "scenes/rooms/office.json --out out/office");
+  const auto mapped = atlas.runs(map_atlas, line);
+  atlas.app().add_option("ROOM", mapped->rooms, "room file with paint.surfaces")->required();
+  add_out(atlas.app(), mapped->out);
+  add_atlas_options(atlas.app(), mapped->options);
 
   Subcommand batch(program, "batch",
                    "Many rooms, a folder each and summary.csv; goes on past bad rooms, resumes",
