@@ -44,8 +44,8 @@ MethodResult gauss_seidel(const RadiositySystem& system, const RadiosityOptions&
   for (; sweeps < options.max_iterations && !proof.converged(); ++sweeps) {
     for (Index i = 0; i < system.patches(); ++i) {
       const Eigen::RowVectorXd gathered = f.col(i).transpose() * b.matrix();
-      b.row(i) = system.emission.row(i) +
-                 system.reflectance.row(i) * (gathered.array() + system.direct.row(i));
+      const BandRow arriving = gathered.array() + system.direct.row(i);
+      b.row(i) = system.emission.row(i) + system.reflector.reflect(i, arriving);
     }
     proof = certify(system, b, options.relative_error);
   }
@@ -58,7 +58,8 @@ MethodResult gauss_seidel(const RadiositySystem& system, const RadiosityOptions&
 MethodResult progressive(const RadiositySystem& system, const RadiosityOptions& options) {
   const MatrixXd f = dense_form_factors(system.exchange);
   const ArrayXd& area = system.exchange.area_m2;
-  Bands b = system.emission + system.reflectance * system.direct, unshot = b;
+  const Bands& reflectance = system.reflector.numbers();
+  Bands b = system.emission + reflectance * system.direct, unshot = b;
   Certificate proof = certify(system, b, options.relative_error);
   int sweeps = 0;
   for (; sweeps < options.max_iterations && !proof.converged(); ++sweeps) {
@@ -67,14 +68,13 @@ MethodResult progressive(const RadiositySystem& system, const RadiosityOptions& 
       (unshot.rowwise().sum() * area).maxCoeff(&j);
       const Eigen::RowVectorXd power = unshot.row(j);
       unshot.row(j).setZero();
-      const Bands arriving = (f.col(j) * power).array() * system.reflectance;
+      const Bands arriving = (f.col(j) * power).array() * reflectance;
       b += arriving;
       unshot += arriving;
     }
-    const ArrayXd left =
-        (unshot.colwise() * area.sqrt()).matrix().colwise().norm().transpose().array() *
-        system.relative_error_factor;
-    if ((left <= proof.allowed).all()) proof = certify(system, b, options.relative_error);
+    if ((error_norms(system, unshot) <= proof.allowed).all()) {
+      proof = certify(system, b, options.relative_error);
+    }
   }
   proof = certify(system, b, options.relative_error);
   return {std::move(proof), count(system, sweeps)};
@@ -88,7 +88,7 @@ MethodResult direct(const RadiositySystem& system, const RadiosityOptions& optio
                      root_area.inverse().matrix().asDiagonal();
   Bands b = system.emission;
   for (Index k = 0; k < system.bands(); ++k) {
-    const ArrayXd r = system.reflectance.col(k).sqrt();
+    const ArrayXd r = system.reflector.numbers().col(k).sqrt();
     const MatrixXd m =
         MatrixXd::Identity(n, n) - r.matrix().asDiagonal() * g * r.matrix().asDiagonal();
     const Eigen::VectorXd arriving = g * (root_area * system.emission.col(k)).matrix();

@@ -24,7 +24,7 @@ class FloatOperator {
         scale_(Floats::Zero(Index{tiles_.blocks} * kTile, padded(system.bands()))) {
     const ArrayXd d_per_root_area = system.exchange.scaling / system.exchange.area_m2.sqrt();
     scale_.topLeftCorner(system.patches(), system.bands()) =
-        (system.reflectance.sqrt().colwise() * d_per_root_area).cast<float>();
+        (system.reflector.numbers().sqrt().colwise() * d_per_root_area).cast<float>();
   }
 
   [[nodiscard]] Floats zero() const { return Floats::Zero(scale_.rows(), scale_.cols()); }
@@ -89,7 +89,8 @@ MethodResult lockstep_conjugate_gradients(const RadiositySystem& system,
                                           const RadiosityOptions& options) {
   const FloatOperator m(system);
   const Index n = system.patches(), bands = system.bands();
-  const Bands to_radiosity = system.reflectance.sqrt().colwise() * system.exchange.area_m2.rsqrt();
+  const Bands to_radiosity =
+      system.reflector.numbers().sqrt().colwise() * system.exchange.area_m2.rsqrt();
   Eigen::ArrayXi iterations = Eigen::ArrayXi::Zero(bands);
   Certificate proof = certify(system, system.emission, options.relative_error);
   for (int round = 0; round < kMostRounds && !proof.converged(); ++round) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "solver/far_field.h"
@@ -20,36 +21,67 @@ void require(bool holds, const char* what, double value, const char* wanted) {
   if (!holds) throw std::invalid_argument(fmt::format("{} {}; want {}", what, value, wanted));
 }
 
-void check(const ExchangeAreas& exchange, const Bands& emission, const Bands& direct,
-           const Bands& reflectance, const RadiosityOptions& options) {
-  for (const Bands* b : {&emission, &direct, &reflectance}) {
-    if (b->rows() != exchange.patches() || b->cols() != emission.cols()) {
-      throw std::invalid_argument(fmt::format("{} x {} values; want {} patches x {} bands",
-                                              b->rows(), b->cols(), exchange.patches(),
-                                              emission.cols()));
-    }
-  }
-  // Written so that NaN fails too.
-  require((emission >= 0 && emission.isFinite()).all(), "emission down to", emission.minCoeff(),
-          "0 or more");
-  require((direct >= 0 && direct.isFinite()).all(), "direct irradiance down to", direct.minCoeff(),
-          "0 or more");
+/// Written so that NaN fails too.
+void require_physical(const Bands& emission, const Bands& direct, const Bands& reflectance) {
+  require((emission >= 0).all(), "emission down to", emission.minCoeff(), "0 or more");
+  require((direct >= 0).all(), "direct irradiance down to", direct.minCoeff(), "0 or more");
   require((reflectance >= 0 && reflectance < 1).all(), "reflectance up to", reflectance.maxCoeff(),
           "0 to below 1");
+}
+
+void check(const ExchangeAreas& exchange, const Bands& emission, const Bands& direct,
+           const Reflector& reflector, const RadiosityOptions& options) {
+  const auto require_shape = [&](Index rows, Index columns) {
+    if (rows == exchange.patches() && columns == emission.cols()) return;
+    throw std::invalid_argument(fmt::format("{} x {} values; want {} patches x {} bands", rows,
+                                            columns, exchange.patches(), emission.cols()));
+  };
+  require_shape(emission.rows(), emission.cols());
+  require_shape(direct.rows(), direct.cols());
+  require_shape(reflector.patches(), reflector.bands());
+  require(emission.isFinite().all(), "emission up to", emission.maxCoeff(), "finite values");
+  require(direct.isFinite().all(), "direct irradiance up to", direct.maxCoeff(), "finite values");
   require(options.relative_error > 0, "relative error", options.relative_error, "more than 0");
   require(options.max_iterations > 0, "iterations", options.max_iterations, "more than 0");
 }
 
-/// Columns of `b` that carry light.
-std::vector<Index> lit_bands(const Bands& emission, const Bands& direct) {
+/// Bands that carry light; all or none where they exchange it.
+std::vector<Index> lit_bands(const Bands& emission, const Bands& direct,
+                             const Reflector& reflector) {
   std::vector<Index> lit;
   for (Index k = 0; k < emission.cols(); ++k) {
-    if ((emission.col(k) > 0).any() || (direct.col(k) > 0).any()) lit.push_back(k);
+    if ((emission.col(k) != 0).any() || (direct.col(k) != 0).any()) lit.push_back(k);
   }
+  if (reflector.couples_bands() && !lit.empty()) lit = {0, 1, 2};
   return lit;
 }
 
+/// The factor by which light grows or fades from bounce to bounce, per band: the power method from
+/// values without a pattern.
+ArrayXd bounce_growth(const ExchangeAreas& exchange, const Reflector& reflector) {
+  constexpr int kBounces = 60, kAveraged = 30;
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  double seed = 0;
+  Bands light = Bands::NullaryExpr(exchange.patches(), reflector.bands(), [&] {
+    seed = std::fmod(seed + kGoldenRatio, 1);
+    return seed;
+  });
+  ArrayXd log_growth = ArrayXd::Zero(reflector.bands());
+  for (int bounce = 0; bounce < kBounces; ++bounce) {
+    light = reflector.reflect(gather(exchange, light));
+    const ArrayXd size =
+        reflector.pooled(light.matrix().colwise().squaredNorm().transpose()).sqrt();
+    light.rowwise() /= (size > 0).select(size, 1.0).transpose();
+    if (bounce >= kBounces - kAveraged) log_growth += size.log();
+  }
+  return (log_growth / kAveraged).exp();
+}
+
 MethodResult run(const RadiositySystem& system, const RadiosityOptions& options) {
+  if (!(system.contraction < 1).all()) {
+    return {certify(system, system.emission, options.relative_error),
+            Eigen::ArrayXi::Ones(system.bands())};
+  }
   switch (options.method) {
     case Method::jacobi:
       return jacobi(system, options);
@@ -59,6 +91,9 @@ MethodResult run(const RadiositySystem& system, const RadiosityOptions& options)
       return progressive(system, options);
     case Method::direct:
       return direct(system, options);
+    case Method::bicgstab:
+      return bicgstab(system, options);
+    case Method::automatic:
     case Method::conjugate_gradients:
       break;
   }
@@ -77,10 +112,30 @@ const char* to_string(Method method) {
       return "progressive";
     case Method::direct:
       return "direct";
+    case Method::bicgstab:
+      return "bicgstab";
+    case Method::automatic:
+      return "auto";
     case Method::conjugate_gradients:
       break;
   }
   return "cg";
+}
+
+Method method_for(const Reflector& reflector, Method wished) {
+  const bool symmetric = !reflector.couples_bands() && (reflector.numbers() >= 0).all();
+  const bool takes_any =
+      wished == Method::jacobi || wished == Method::gauss_seidel || wished == Method::bicgstab;
+  if (wished == Method::automatic) {
+    return symmetric ? Method::conjugate_gradients : Method::bicgstab;
+  }
+  if (!symmetric && !takes_any) {
+    throw std::invalid_argument(
+        fmt::format("method {} needs reflectances of 0 or more; matrices and negative numbers want "
+                    "jacobi, gauss-seidel or bicgstab",
+                    to_string(wished)));
+  }
+  return wished;
 }
 
 Bands gather(const ExchangeAreas& exchange, const Bands& v) {
@@ -96,35 +151,54 @@ Bands gather(const ExchangeAreas& exchange, const Bands& v) {
 Certificate certify(const RadiositySystem& system, const Bands& radiosity, double relative_error) {
   Certificate c;
   c.irradiance = gather(system.exchange, radiosity) + system.direct;
-  c.radiosity = system.emission + system.reflectance * c.irradiance;
+  c.radiosity = system.emission + system.reflector.reflect(c.irradiance);
   c.change = c.radiosity - radiosity;
-  const ArrayXd root_area = system.exchange.area_m2.sqrt();
-  c.norm = (c.change.colwise() * root_area).matrix().colwise().norm().transpose().array() *
-           system.relative_error_factor;
+  c.norm = error_norms(system, c.change);
+  const Bands weighted = c.irradiance.colwise() * system.exchange.area_m2.sqrt();
   c.allowed = relative_error *
-              (c.irradiance.colwise() * root_area).matrix().colwise().norm().transpose().array();
+              system.reflector.pooled(weighted.matrix().colwise().squaredNorm().transpose()).sqrt();
   return c;
+}
+
+ArrayXd error_norms(const RadiositySystem& system, const Bands& change) {
+  const ArrayXd norm = system.reflector.norms(change.colwise() * system.exchange.area_m2.sqrt());
+  const ArrayXd bound = norm * system.reflector.reach() / (1 - system.contraction);
+  return (system.contraction < 1).select(bound, std::numeric_limits<double>::infinity());
 }
 
 RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& emission,
                                   const Bands& direct, const Bands& reflectance,
                                   const RadiosityOptions& options) {
-  check(exchange, emission, direct, reflectance, options);
+  require_physical(emission, direct, reflectance);
+  return solve_radiosity(exchange, emission, direct, Reflector(reflectance), options);
+}
+
+RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& emission,
+                                  const Bands& direct, const Reflector& reflector,
+                                  const RadiosityOptions& options) {
+  check(exchange, emission, direct, reflector, options);
   RadiositySolution solution{
       .radiosity = emission,
       .irradiance = Bands::Zero(emission.rows(), emission.cols()),
       .bands = std::vector<BandReport>(static_cast<std::size_t>(emission.cols())),
+      .method = method_for(reflector, options.method),
       .converged = true};
-  const std::vector<Index> lit = lit_bands(emission, direct);
+  const std::vector<Index> lit = lit_bands(emission, direct, reflector);
   if (lit.empty()) return solution;
 
-  const ArrayXd highest = reflectance(Eigen::all, lit).colwise().maxCoeff().transpose();
-  const RadiositySystem system{.exchange = exchange,
-                               .emission = emission(Eigen::all, lit),
-                               .direct = direct(Eigen::all, lit),
-                               .reflectance = reflectance(Eigen::all, lit),
-                               .relative_error_factor = (1 - highest).inverse()};
-  const MethodResult result = run(system, options);
+  RadiositySystem system{.exchange = exchange,
+                         .emission = emission(Eigen::all, lit),
+                         .direct = direct(Eigen::all, lit),
+                         .reflector = reflector.columns(lit),
+                         .contraction = {}};
+  system.contraction = system.reflector.contraction();
+  solution.proven = (system.contraction < 1).all();
+  if (!solution.proven) {
+    system.contraction = bounce_growth(exchange, system.reflector).min(system.contraction);
+  }
+  RadiosityOptions chosen = options;
+  chosen.method = solution.method;
+  const MethodResult result = run(system, chosen);
   const Certificate& proof = result.certificate;
   const double root_total_area = std::sqrt(exchange.area_m2.sum());
   const double gather_norm = exchange.gather_norm.maxCoeff();
@@ -136,7 +210,8 @@ RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& em
         .iterations = result.iterations[column],
         .rms_error_bound = proof.norm[column] / root_total_area,
         .max_error_bound = proof.norm[column] * gather_norm,
-        .norm_error_bound = proof.norm[column] * highest[column],
+        .norm_error_bound = proof.norm[column] * system.contraction[column],
+        .contraction = system.contraction[column],
         .converged = proof.norm[column] <= proof.allowed[column]};
   }
   solution.converged = proof.converged() && exchange.closure_defect <= kClosed;

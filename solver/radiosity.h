@@ -4,26 +4,36 @@
 #include <vector>
 
 #include "solver/exchange.h"
+#include "solver/reflector.h"
 
 namespace solver {
 
-/// One row per patch, one column per band. In a spectral solve a band is one wavelength and the
-/// unit is W m^-2 nm^-1; the solver itself never asks.
-using Bands = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-enum class Method { conjugate_gradients, jacobi, gauss_seidel, progressive, direct };
+/// Conjugate gradients, progressive and direct need numbers of 0 or more; Jacobi, Gauss-Seidel and
+/// BiCGSTAB take any reflector.
+enum class Method {
+  automatic,  ///< conjugate gradients where they apply, else BiCGSTAB
+  conjugate_gradients,
+  jacobi,
+  gauss_seidel,
+  progressive,
+  direct,
+  bicgstab
+};
 
 [[nodiscard]] const char* to_string(Method method);
 
+/// What `automatic` stands for, or the method itself.
+[[nodiscard]] Method method_for(const Reflector& reflector, Method wished);
+
 struct RadiosityOptions {
-  Method method = Method::conjugate_gradients;
+  Method method = Method::automatic;
   double relative_error =
       1e-6;                     ///< stop when a band's rms_error_bound <= this * its rms irradiance
   int max_iterations = 100000;  ///< sweeps over the matrix (progressive: shots / patches)
 };
 
 /// Per band. The bounds hold whatever the method and whether or not it converged, up to rounding in
-/// double.
+/// double; unless RadiositySolution::proven they are estimates.
 struct BandReport {
   int iterations = 0;          ///< sweeps over the matrix; 0 in a band without light
   double rms_error_bound = 0;  ///< on the area-weighted RMS over patches of H - H_exact
@@ -31,6 +41,7 @@ struct BandReport {
   /// On ||sqrt(A) (B - B_exact)||_2: times sqrt(sum_j F_pj^2 / A_j) it bounds what a receiver p
   /// gathers wrongly.
   double norm_error_bound = 0;
+  double contraction = 0;  ///< what a bounce leaves of light: the norm of R F, or its estimate
   bool converged = true;
 };
 
@@ -38,7 +49,9 @@ struct RadiositySolution {
   Bands radiosity;   ///< B = S + rho H, leaving each patch
   Bands irradiance;  ///< H = F B + D, arriving at each patch
   std::vector<BandReport> bands;
-  bool converged = false;  ///< all bands, in a room that closes
+  Method method = Method::automatic;  ///< that was used
+  bool proven = true;                 ///< bounds are proven, not estimated
+  bool converged = false;             ///< all bands, in a room that closes
 };
 
 /// Solves H = F B + D, B = S + rho H for Lambertian patches in all bands at once [Goral1984]. S and
@@ -50,10 +63,26 @@ struct RadiositySolution {
 /// is similar to a symmetric matrix whose rows sum to 1), and (1 - rho F)(B - B_exact) = B - B',
 /// hence ||B - B_exact|| <= ||B - B'|| / (1 - rho_max).
 /// @throws std::invalid_argument  if sizes differ, a value is not finite or negative, or rho is not
-/// in [0, 1)
+/// in [0, 1), or the method does not suit
 [[nodiscard]] RadiositySolution solve_radiosity(const ExchangeAreas& exchange,
                                                 const Bands& emission, const Bands& direct,
                                                 const Bands& reflectance,
+                                                const RadiosityOptions& options = {});
+
+/// The same for any reflector; light and reflectance may be negative, as three numbers for a
+/// spectrum sometimes are. Bands that a matrix couples are one system: they converge together,
+/// relative to the light in all of them.
+///
+/// Error bounds: as above with the reflector's norm and contraction in place of rho_max. Where the
+/// contraction is not below 1, light may grow from bounce to bounce. Then its growth is estimated
+/// by following 60 bounces. Below 1 it takes the place of the contraction, and bounds are no longer
+/// proven; from 1 on there is no answer: the solution is the first bounce, never converged, its
+/// bounds infinite.
+/// @throws std::invalid_argument  if sizes differ, a value is not finite, or the method does not
+/// suit
+[[nodiscard]] RadiositySolution solve_radiosity(const ExchangeAreas& exchange,
+                                                const Bands& emission, const Bands& direct,
+                                                const Reflector& reflector,
                                                 const RadiosityOptions& options = {});
 
 /// F v in double, patch x band.

@@ -6,8 +6,9 @@ namespace solver {
 /// A checked system of bands that all carry light, and the certificate every method stops by.
 struct RadiositySystem {
   const ExchangeAreas& exchange;
-  Bands emission, direct, reflectance;
-  Eigen::ArrayXd relative_error_factor;  ///< 1 / (1 - rho_max), per band
+  Bands emission, direct;
+  Reflector reflector;
+  Eigen::ArrayXd contraction;  ///< norm of R F per band, proven or estimated
 
   [[nodiscard]] Eigen::Index patches() const { return emission.rows(); }
 
@@ -17,7 +18,7 @@ struct RadiositySystem {
 /// What one gather proves about radiosities B.
 struct Certificate {
   Bands irradiance;     ///< H = F B + D
-  Bands radiosity;      ///< B' = S + rho H
+  Bands radiosity;      ///< B' = S + R H
   Bands change;         ///< B' - B
   Eigen::ArrayXd norm;  ///< bound on ||sqrt(A) (B - B_exact)||_2, per band
   Eigen::ArrayXd
@@ -28,6 +29,9 @@ struct Certificate {
 
 [[nodiscard]] Certificate certify(const RadiositySystem& system, const Bands& radiosity,
                                   double relative_error);
+
+/// The bound that a change B' - B, the residual of B, proves.
+[[nodiscard]] Eigen::ArrayXd error_norms(const RadiositySystem& system, const Bands& change);
 
 /// Each returns the certificate of its last radiosities and adds its sweeps to `iterations`.
 struct MethodResult {
@@ -43,5 +47,6 @@ struct MethodResult {
 [[nodiscard]] MethodResult progressive(const RadiositySystem& system,
                                        const RadiosityOptions& options);
 [[nodiscard]] MethodResult direct(const RadiositySystem& system, const RadiosityOptions& options);
+[[nodiscard]] MethodResult bicgstab(const RadiositySystem& system, const RadiosityOptions& options);
 
 }  // namespace solver

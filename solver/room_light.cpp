@@ -30,37 +30,6 @@ std::vector<Spectrum> surface_reflectances(const scenes::Room& room, const Spect
   return reflectances;
 }
 
-ReceiverLight read(const ReceiverRow& row, const RadiositySolution& solution) {
-  const Bands& b = solution.radiosity;
-  ReceiverLight light;
-  light.irradiance = (row.gather.weights.transpose() * b.matrix()).transpose().array() + row.direct;
-  const double strongest = light.irradiance.maxCoeff();
-  if (!(strongest > 0)) return light;
-  const ArrayXd sampled =
-      (row.gather.standard_error.array().square().matrix().transpose() * b.square().matrix())
-          .transpose()
-          .array()
-          .sqrt();
-  light.visibility_error = sampled.maxCoeff() / strongest;
-  for (const BandReport& band : solution.bands) {
-    light.solver_error_bound =
-        std::max(light.solver_error_bound, row.gather.norm * band.norm_error_bound / strongest);
-  }
-  return light;
-}
-
-EnergyBalance balance(const RoomTransport& t, const Bands& reflectance, const Bands& irradiance) {
-  const auto flux = [&](const Bands& density) -> ArrayXd {
-    return (t.exchange.area_m2.matrix().transpose() * density.matrix()).transpose().array();
-  };
-  EnergyBalance energy{.emitted = flux(t.emission + t.direct),
-                       .absorbed = flux((1 - reflectance) * irradiance)};
-  const double emitted = energy.emitted.sum();
-  if (emitted > 0)
-    energy.relative_defect = (energy.emitted - energy.absorbed).abs().sum() / emitted;
-  return energy;
-}
-
 /// Irradiance of the near-white surfaces in view, those near the axis counting more
 /// [Neumann2004] 3.6.
 ArrayXd white_of_surfaces(const scenes::Room& room, const RoomTransport& t,
@@ -84,6 +53,37 @@ ArrayXd white_of_surfaces(const scenes::Room& room, const RoomTransport& t,
 
 }  // namespace
 
+ReceiverLight read_light(const GatherRow& row, const ArrayXd& direct,
+                         const RadiositySolution& solution) {
+  const Bands& b = solution.radiosity;
+  ReceiverLight light;
+  light.irradiance = (row.weights.transpose() * b.matrix()).transpose().array() + direct;
+  const double strongest = light.irradiance.maxCoeff();
+  if (!(strongest > 0)) return light;
+  const ArrayXd sampled =
+      (row.standard_error.array().square().matrix().transpose() * b.square().matrix())
+          .transpose()
+          .array()
+          .sqrt();
+  light.visibility_error = sampled.maxCoeff() / strongest;
+  for (const BandReport& band : solution.bands) {
+    light.solver_error_bound =
+        std::max(light.solver_error_bound, row.norm * band.norm_error_bound / strongest);
+  }
+  return light;
+}
+
+EnergyBalance energy_balance(const ArrayXd& area_m2, const Bands& sources, const Bands& absorbed) {
+  const auto flux = [&](const Bands& density) -> ArrayXd {
+    return (area_m2.matrix().transpose() * density.matrix()).transpose().array();
+  };
+  EnergyBalance energy{.emitted = flux(sources), .absorbed = flux(absorbed)};
+  const double emitted = energy.emitted.sum();
+  if (emitted > 0)
+    energy.relative_defect = (energy.emitted - energy.absorbed).abs().sum() / emitted;
+  return energy;
+}
+
 RoomSolution solve_room(const scenes::Room& room, const RoomTransport& transport,
                         const RadiosityOptions& options, const Spectrum* paint) {
   if (paint != nullptr && !(paint->grid == room.grid)) {
@@ -98,11 +98,14 @@ RoomSolution solve_room(const scenes::Room& room, const RoomTransport& transport
   RoomSolution solution{.radiosity = solve_radiosity(transport.exchange, transport.emission,
                                                      transport.direct, reflectance, options)};
   for (const ReceiverRow& row : transport.receivers) {
-    solution.receivers.push_back(read(row, solution.radiosity));
+    solution.receivers.push_back(read_light(row.gather, row.direct, solution.radiosity));
   }
-  solution.viewed = read(transport.viewed_row, solution.radiosity);
+  solution.viewed =
+      read_light(transport.viewed_row.gather, transport.viewed_row.direct, solution.radiosity);
   solution.reflectances = reflectances;
-  solution.energy = balance(transport, reflectance, solution.radiosity.irradiance);
+  solution.energy =
+      energy_balance(transport.exchange.area_m2, transport.emission + transport.direct,
+                     (1 - reflectance) * solution.radiosity.irradiance);
   return solution;
 }
 

@@ -30,6 +30,15 @@ struct RoomSolution {
   EnergyBalance energy;
 };
 
+/// What a receiver gathers from solved radiosities; `direct` comes from point lights and sun.
+[[nodiscard]] ReceiverLight read_light(const GatherRow& row, const Eigen::ArrayXd& direct,
+                                       const RadiositySolution& solution);
+
+/// @param sources   S + D
+/// @param absorbed  H - R H
+[[nodiscard]] EnergyBalance energy_balance(const Eigen::ArrayXd& area_m2, const Bands& sources,
+                                           const Bands& absorbed);
+
 /// Surfaces in `room.paint->surfaces` take `paint` where it is given.
 /// @throws std::invalid_argument  if the paint's grid is not the room's, or it is not a reflectance
 [[nodiscard]] RoomSolution solve_room(const scenes::Room& room, const RoomTransport& transport,
