@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <map>
 #include <set>
+#include <sstream>
 
 #include "apps/compare_report.h"
 #include "tests/apps/program.h"
@@ -36,7 +38,8 @@ std::map<std::string, double> compare(const json& room_file) {
               " --out " + (folder / "out").string());
   EXPECT_EQ(run.exit_code, 0) << run.err;
   std::map<std::string, double> worst;
-  for (const json& method : json::parse(run.out).at("methods")) {
+  const json printed = json::parse(run.out);
+  for (const json& method : printed.at("methods")) {
     worst[method.at("method")] = method.at("worst_dE00");
   }
   return worst;
@@ -52,11 +55,18 @@ json three_steps(double blue, double green, double red) {
   return {{"nm", nm}, {"values", values}};
 }
 
-// Grey surfaces only dim light, whatever stands for a spectrum.
+// Grey surfaces only dim light, whatever stands for a spectrum; but few bands tell lamps apart
+// badly.
 TEST(Compare, MethodsAgreeInAGreyRoom) {
-  const auto worst = compare(room(0.7, 0.4, json{{"illuminant", "A"}}));
-  EXPECT_EQ(worst.size(), 17U);
-  for (const auto& [method, de00] : worst) EXPECT_LT(de00, 1e-4) << method;
+  const auto of_lamp = compare(room(0.7, 0.4, json{{"illuminant", "A"}}));
+  EXPECT_EQ(of_lamp.size(), 17U);
+  for (const auto& [method, de00] : of_lamp) {
+    if (method != "spectral:9" && method != "spectral:3") {
+      EXPECT_LT(de00, 1e-4) << method;
+    }
+  }
+  const auto of_equal_energy = compare(room(0.7, 0.4, json{{"illuminant", "E"}}));
+  for (const auto& [method, de00] : of_equal_energy) EXPECT_LT(de00, 1e-4) << method;
 }
 
 // The groups of 10, 11 and 10 bands: what is constant over them loses nothing.
