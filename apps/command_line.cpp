@@ -35,7 +35,8 @@ void add_options(CLI::App& command, RoomOptions& options) {
   add_error_option(command, options);
   command
       .add_option("--method", options.radiosity.method,
-                  "cg (default), jacobi, gauss-seidel, progressive or direct")
+                  "auto (default: cg where it applies, else bicgstab), cg, jacobi, gauss-seidel, "
+                  "progressive, direct or bicgstab")
       ->transform(CLI::CheckedTransformer(method_names()).description("METHOD"));
 }
 
@@ -57,6 +58,31 @@ void add_options(CLI::App& command, RankOptions& options) {
       .add_option("--distance", options.distance,
                   "jab (default: Euclidean in J, a_C, b_C) or cam02-ucs")
       ->transform(CLI::CheckedTransformer(distance_names()).description("SPACE"));
+}
+
+/// Three numbers in place of spectra, and only the methods that suit them.
+void add_colour_option(CLI::App& command, SolveCommand& solve) {
+  command.add_option_function<std::string>(
+      "--colour",
+      [&solve](const std::string& text) {
+        if (text == "spectral") return;
+        try {
+          solve.colour = solver::colour_model(text);
+        } catch (const std::invalid_argument& error) {
+          throw CLI::ValidationError("--colour", error.what());
+        }
+      },
+      "spectral (default), or three numbers: rgb[:SPACE], bilinear[:SET[:alpha=r,g,b]], "
+      "display[:MODE]");
+  command.parse_complete_callback([&solve] {
+    const solver::Method method = solve.options.radiosity.method;
+    if (solve.colour &&
+        (method == solver::Method::conjugate_gradients || method == solver::Method::progressive ||
+         method == solver::Method::direct)) {
+      throw CLI::ValidationError("--method",
+                                 "three numbers want auto, jacobi, gauss-seidel or bicgstab");
+    }
+  });
 }
 
 void add_out(CLI::App& command, std::string& out,
@@ -102,6 +128,7 @@ void add_room_commands(CLI::App& program, CommandLine& line) {
   solve.app().add_option("ROOM", solved->room, "room file")->required();
   add_out(solve.app(), solved->out);
   add_options(solve.app(), solved->options);
+  add_colour_option(solve.app(), *solved);
 
   Subcommand shift(program, "shift",
                    "Each painted surface as on the swatch and as in the room: shift.csv",

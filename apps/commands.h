@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/outcome.h"
 #include "apps/room_options.h"
+#include "solver/room_colour.h"
 
 namespace apps {
 
@@ -18,6 +20,12 @@ struct RoomCommand {
   RoomOptions options;
 };
 
+struct SolveCommand {
+  std::string room, out;
+  RoomOptions options;
+  std::optional<solver::ColourModel> colour;  ///< none: spectra
+};
+
 struct RankCommand {
   std::string rooms, out;  ///< one room file; for batch a folder or a list of them
   RankOptions options;
@@ -29,7 +37,7 @@ struct FileCommand {
 };
 
 Exit check_room(const RoomCommand& command, const Session& session);
-Exit solve_room(const RoomCommand& command, const Session& session);
+Exit solve_room(const SolveCommand& command, const Session& session);
 Exit shift_room(const RoomCommand& command, const Session& session);
 Exit compare_room(const RoomCommand& command, const Session& session);
 Exit rank_room(const RankCommand& command, const Session& session);

@@ -19,11 +19,10 @@ Json to_json(const std::optional<double>& value) { return value ? Json(*value) :
 
 const std::map<std::string, solver::Method>& method_names() {
   static const std::map<std::string, solver::Method> names{
-      {"cg", solver::Method::conjugate_gradients},
-      {"jacobi", solver::Method::jacobi},
-      {"gauss-seidel", solver::Method::gauss_seidel},
-      {"progressive", solver::Method::progressive},
-      {"direct", solver::Method::direct},
+      {"auto", solver::Method::automatic},          {"cg", solver::Method::conjugate_gradients},
+      {"jacobi", solver::Method::jacobi},           {"gauss-seidel", solver::Method::gauss_seidel},
+      {"progressive", solver::Method::progressive}, {"direct", solver::Method::direct},
+      {"bicgstab", solver::Method::bicgstab},
   };
   return names;
 }

@@ -2,19 +2,24 @@
 
 #include <fmt/format.h>
 
-#include "appearance/spectra/photometry.h"
+#include <cmath>
+#include <optional>
+
 #include "apps/csv.h"
 
 namespace apps {
 namespace {
 
 /// ",E400,E410,...,E700"
-std::string band_names(const spectra::Grid& grid, char quantity) {
+std::string band_names(const SolutionColumns& columns, char quantity) {
   std::string names;
-  for (int k = 0; k < grid.count; ++k) {
-    names += fmt::format(",{}{}", quantity, grid.wavelength_nm(k));
-  }
+  for (const std::string& name : columns.names) names += fmt::format(",{}{}", quantity, name);
   return names;
+}
+
+/// Nothing where there is no bound.
+std::optional<double> finite(double bound) {
+  return std::isfinite(bound) ? std::optional(bound) : std::nullopt;
 }
 
 void point_cells(CsvText& csv, const Eigen::Vector3d& point_m) {
@@ -23,28 +28,29 @@ void point_cells(CsvText& csv, const Eigen::Vector3d& point_m) {
 
 }  // namespace
 
-double illuminance_lx(const scenes::Room& room, const solver::ReceiverLight& light) {
-  return spectra::luminous({.grid = room.grid, .values = light.irradiance});
+double illuminance_lx(const SolutionColumns& columns, const solver::ReceiverLight& light) {
+  return (columns.lux * light.irradiance).sum();
 }
 
-std::string receivers_csv(const scenes::Room& room, const solver::RoomSolution& solution) {
-  CsvText csv("receiver,x_m,y_m,z_m,illuminance_lx" + band_names(room.grid, 'E') +
+std::string receivers_csv(const scenes::Room& room, const SolutionColumns& columns,
+                          const solver::RoomSolution& solution) {
+  CsvText csv("receiver,x_m,y_m,z_m,illuminance_lx" + band_names(columns, 'E') +
               ",solver_error_bound,visibility_error");
   for (std::size_t i = 0; i < room.receivers.size(); ++i) {
     const solver::ReceiverLight& light = solution.receivers[i];
     csv.cell(room.receivers[i].name);
     point_cells(csv, room.receivers[i].at_m);
-    csv.cell(illuminance_lx(room, light));
+    csv.cell(illuminance_lx(columns, light));
     for (const double band : light.irradiance) csv.cell(band);
-    csv.cell(light.solver_error_bound).cell(light.visibility_error).end_row();
+    csv.cell(finite(light.solver_error_bound)).cell(light.visibility_error).end_row();
   }
   return csv.take();
 }
 
-std::string patches_csv(const scenes::Room& room, const scenes::PatchMesh& mesh,
-                        const solver::RadiositySolution& radiosity) {
-  CsvText csv("patch,surface,x_m,y_m,z_m,area_m2" + band_names(room.grid, 'H') +
-              band_names(room.grid, 'B'));
+std::string patches_csv(const scenes::Room& room, const SolutionColumns& columns,
+                        const scenes::PatchMesh& mesh, const solver::RadiositySolution& radiosity) {
+  CsvText csv("patch,surface,x_m,y_m,z_m,area_m2" + band_names(columns, 'H') +
+              band_names(columns, 'B'));
   for (int patch = 0; patch < mesh.size(); ++patch) {
     const auto i = static_cast<std::size_t>(patch);
     csv.cell(patch).cell(room.surfaces[static_cast<std::size_t>(mesh.surface[i])].name);

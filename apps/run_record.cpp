@@ -96,14 +96,20 @@ Json describe(const solver::RoomTransport& transport) {
 }
 
 Json describe(const solver::RoomSolution& solution, const scenes::Room& room) {
+  return describe(solution, room, columns_of(room.grid));
+}
+
+Json describe(const solver::RoomSolution& solution, const scenes::Room& room,
+              const SolutionColumns& columns) {
   Json bands = Json::array();
   for (std::size_t k = 0; k < solution.radiosity.bands.size(); ++k) {
     const solver::BandReport& band = solution.radiosity.bands[k];
-    bands.push_back({{"nm", room.grid.wavelength_nm(static_cast<int>(k))},
-                     {"iterations", band.iterations},
-                     {"rms_error_bound", band.rms_error_bound},
-                     {"max_error_bound", band.max_error_bound},
-                     {"converged", band.converged}});
+    bands.push_back(columns.labels[k]);
+    bands.back().update({{"iterations", band.iterations},
+                         {"rms_error_bound", band.rms_error_bound},
+                         {"max_error_bound", band.max_error_bound},
+                         {"contraction", band.contraction},
+                         {"converged", band.converged}});
   }
   Json receivers = Json::array();
   for (std::size_t i = 0; i < solution.receivers.size(); ++i) {
@@ -112,12 +118,38 @@ Json describe(const solver::RoomSolution& solution, const scenes::Room& room) {
                          {"visibility_error", solution.receivers[i].visibility_error}});
   }
   return {{"converged", solution.radiosity.converged},
+          {"method", solver::to_string(solution.radiosity.method)},
+          {"error_bounds", solution.radiosity.proven ? "proven" : "estimated"},
           {"bands", bands},
           {"receivers", receivers},
           {"energy_balance",
-           {{"emitted_W_nm", to_json(solution.energy.emitted)},
-            {"absorbed_W_nm", to_json(solution.energy.absorbed)},
+           {{"emitted_" + columns.flux_unit, to_json(solution.energy.emitted)},
+            {"absorbed_" + columns.flux_unit, to_json(solution.energy.absorbed)},
             {"relative_defect", solution.energy.relative_defect}}}};
+}
+
+Json describe(const solver::ColourModel& model, const solver::ColourSolution& solution,
+              const scenes::Room& room) {
+  Json reflections;
+  for (std::size_t s = 0; s < room.surfaces.size(); ++s) {
+    const Eigen::Matrix3d& r = solution.reflections[s];
+    reflections[room.surfaces[s].name] = {to_json(Eigen::Vector3d(r.row(0))),
+                                          to_json(Eigen::Vector3d(r.row(1))),
+                                          to_json(Eigen::Vector3d(r.row(2)))};
+  }
+  return {{"model", model.name},
+          {"space", model.space.name},
+          {"approximation", model.approximation},
+          {"unit", "lm m^-2"},
+          {"xyz_from_rgb",
+           {to_json(Eigen::Vector3d(solution.xyz_from_rgb.row(0))),
+            to_json(Eigen::Vector3d(solution.xyz_from_rgb.row(1))),
+            to_json(Eigen::Vector3d(solution.xyz_from_rgb.row(2)))}},
+          {"reflections", reflections},
+          {"negative",
+           {{"patches_of_irradiance", solution.negative.irradiance},
+            {"patches_of_radiosity", solution.negative.radiosity},
+            {"lowest_relative_to_brightest", solution.negative.lowest}}}};
 }
 
 Json describe(const appearance::RoomView& view, const scenes::Room& room,

@@ -9,6 +9,7 @@
 #include "apps/commands.h"
 #include "apps/output_files.h"
 #include "apps/room_options.h"
+#include "apps/solution_columns.h"
 #include "solver/room_light.h"
 
 namespace apps {
@@ -30,6 +31,11 @@ namespace apps {
 [[nodiscard]] Json describe(const solver::Plan& plan);
 [[nodiscard]] Json describe(const solver::RoomTransport& transport);
 [[nodiscard]] Json describe(const solver::RoomSolution& solution, const scenes::Room& room);
+[[nodiscard]] Json describe(const solver::RoomSolution& solution, const scenes::Room& room,
+                            const SolutionColumns& columns);
+/// What the three numbers were, what is approximate, and what of them is negative.
+[[nodiscard]] Json describe(const solver::ColourModel& model,
+                            const solver::ColourSolution& solution, const scenes::Room& room);
 [[nodiscard]] Json describe(const appearance::RoomView& view, const scenes::Room& room,
                             const solver::ViewedPoint& at);
 [[nodiscard]] std::int64_t peak_memory_bytes();

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/commands.h"
 #include "apps/room_reports.h"
 #include "apps/room_run.h"
@@ -8,22 +10,79 @@
 namespace apps {
 namespace {
 
-std::string receiver_table(const scenes::Room& room, const solver::RoomSolution& solution) {
+std::string receiver_table(const scenes::Room& room, const SolutionColumns& columns,
+                           const solver::RoomSolution& solution) {
   std::vector<std::vector<std::string>> rows{{"receiver", "illuminance"}};
   for (std::size_t i = 0; i < room.receivers.size(); ++i) {
     rows.push_back({room.receivers[i].name,
-                    fmt::format("{:.1f} lx", illuminance_lx(room, solution.receivers[i]))});
+                    fmt::format("{:.1f} lx", illuminance_lx(columns, solution.receivers[i]))});
   }
   return table("<>", rows);
 }
 
-Json receiver_list(const scenes::Room& room, const solver::RoomSolution& solution) {
+Json receiver_list(const scenes::Room& room, const SolutionColumns& columns,
+                   const solver::RoomSolution& solution) {
   Json receivers = Json::array();
   for (std::size_t i = 0; i < room.receivers.size(); ++i) {
     receivers.push_back({{"receiver", room.receivers[i].name},
-                         {"illuminance_lx", illuminance_lx(room, solution.receivers[i])}});
+                         {"illuminance_lx", illuminance_lx(columns, solution.receivers[i])}});
   }
   return receivers;
+}
+
+/// Writes the outputs of a solved room.
+RunResult report(RoomRun& run, const SolutionColumns& columns, const solver::RoomSolution& solution,
+                 const std::filesystem::path& out) {
+  const auto& radiosity = solution.radiosity;
+  RunResult result =
+      finish(run, radiosity.converged,
+             {{.path = out / "receivers.csv", .text = receivers_csv(run.room, columns, solution)},
+              {.path = out / "patches.csv",
+               .text = patches_csv(run.room, columns, run.transport.mesh, radiosity)}},
+             out);
+  result.text = receiver_table(run.room, columns, solution);
+  result.data = {{"status", result.record["status"]},
+                 {"folder", out.string()},
+                 {"receivers", receiver_list(run.room, columns, solution)}};
+  return result;
+}
+
+/// Negative light and light that grows: what three numbers do that spectra cannot.
+void warn(const solver::ColourSolution& solution) {
+  const auto& [irradiance, radiosity, lowest] = solution.negative;
+  if (irradiance + radiosity > 0) {
+    fmt::print(stderr,
+               "note: negative components in the irradiance of {} patches and the radiosity of {}, "
+               "down to {:.3g} of the brightest; they are kept\n",
+               irradiance, radiosity, lowest);
+  }
+  const solver::RadiositySolution& light = solution.light.radiosity;
+  const double growth =
+      std::ranges::max(light.bands, {}, &solver::BandReport::contraction).contraction;
+  if (growth >= 1) {
+    fmt::print(stderr,
+               "light grows by {:.4g} from bounce to bounce in these three numbers: no answer; the "
+               "outputs hold the first bounce\n",
+               growth);
+  } else if (!light.proven) {
+    fmt::print(stderr, "note: error bounds are estimated from 60 bounces, not proven\n");
+  }
+}
+
+RunResult run_solve_colour(const SolveCommand& command, const solver::ColourModel& model,
+                           const Session& session) {
+  Json options = to_json(command.options);
+  options["colour"] = model.name;
+  RoomRun run = open_room(command.room, "solve", options, session);
+  prepare(run, command.options, command.out);
+  const solver::ColourSolution solution =
+      solver::solve_room_colour(run.room, run.transport, model, command.options.radiosity);
+  run.clock.stop("solve");
+  warn(solution);
+  const SolutionColumns columns = columns_of(solution);
+  run.record["colour"] = describe(model, solution, run.room);
+  run.record["solution"] = describe(solution.light, run.room, columns);
+  return report(run, columns, solution.light, command.out);
 }
 
 }  // namespace
@@ -40,21 +99,14 @@ RunResult run_solve(const std::string& path, const RoomOptions& options,
     run.record["viewing"] = describe(view_of(run, solution), run.room, run.transport.viewed);
   }
 
-  const auto& radiosity = solution.radiosity;
-  RunResult result = finish(
-      run, radiosity.converged,
-      {{.path = out / "receivers.csv", .text = receivers_csv(run.room, solution)},
-       {.path = out / "patches.csv", .text = patches_csv(run.room, run.transport.mesh, radiosity)}},
-      out);
-  result.text = receiver_table(run.room, solution);
-  result.data = {{"status", result.record["status"]},
-                 {"folder", out.string()},
-                 {"receivers", receiver_list(run.room, solution)}};
-  return result;
+  return report(run, columns_of(run.room.grid), solution, out);
 }
 
-Exit solve_room(const RoomCommand& command, const Session& session) {
-  return print_result(run_solve(command.room, command.options, command.out, session), session);
+Exit solve_room(const SolveCommand& command, const Session& session) {
+  const RunResult result = command.colour
+                               ? run_solve_colour(command, *command.colour, session)
+                               : run_solve(command.room, command.options, command.out, session);
+  return print_result(result, session);
 }
 
 }  // namespace apps
