@@ -34,17 +34,21 @@ void add_patch_option(CLI::App& command, RoomOptions& options) {
       ->check(kPositive);
 }
 
+void add_error_option(CLI::App& command, RoomOptions& options) {
+  command
+      .add_option("--relative-error", options.radiosity.relative_error,
+                  "bound on the RMS error of each band's irradiance, relative (default 1e-6)")
+      ->check(kPositive);
+}
+
 void add_options(CLI::App& command, RoomOptions& options) {
   add_patch_option(command, options);
+  add_error_option(command, options);
   command
       .add_option("--method", options.radiosity.method,
                   "auto (default: cg where it applies, else bicgstab), cg, jacobi, gauss-seidel, "
                   "progressive, direct or bicgstab")
       ->transform(CLI::CheckedTransformer(method_names()).description("METHOD"));
-  command
-      .add_option("--relative-error", options.radiosity.relative_error,
-                  "bound on the RMS error of each band's irradiance, relative (default 1e-6)")
-      ->check(kPositive);
 }
 
 /// What every look at the paints of an atlas in a room takes.
@@ -156,6 +160,16 @@ void add_room_commands(CLI::App& program, CommandLine& line) {
   shift.app().add_option("ROOM", shifted->room, "room file with paint.surfaces")->required();
   add_out(shift.app(), shifted->out);
   add_options(shift.app(), shifted->options);
+
+  Subcommand compare(program, "compare",
+                     "The room by spectra, by three numbers and by spectra made up from RGB: "
+                     "compare.csv, methods.csv, summary.md",
+                     "scenes/rooms/office.json --out out/compare");
+  const auto compared = compare.runs(compare_room, line);
+  compare.app().add_option("ROOM", compared->room, "room file")->required();
+  add_out(compare.app(), compared->out);
+  add_patch_option(compare.app(), compared->options);
+  add_error_option(compare.app(), compared->options);
 }
 
 void add_rank_commands(CLI::App& program, CommandLine& line) {

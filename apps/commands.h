@@ -55,6 +55,7 @@ struct ShaderCommand {
 Exit check_room(const RoomCommand& command, const Session& session);
 Exit solve_room(const SolveCommand& command, const Session& session);
 Exit shift_room(const RoomCommand& command, const Session& session);
+Exit compare_room(const RoomCommand& command, const Session& session);
 Exit rank_room(const RankCommand& command, const Session& session);
 Exit map_atlas(const RankCommand& command, const Session& session);
 Exit batch_rooms(const RankCommand& command, const Session& session);

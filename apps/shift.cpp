@@ -4,24 +4,10 @@
 
 #include "apps/commands.h"
 #include "apps/painted_room.h"
+#include "apps/surface_views.h"
 
 namespace apps {
 namespace {
-
-/// A point of each painted surface: what a group's view meets, or the default view of the surface.
-std::vector<solver::ViewedPoint> views_of(const RoomRun& run) {
-  std::vector<solver::ViewedPoint> views;
-  for (std::size_t g = 0; g < run.room.paint.size(); ++g) {
-    const solver::ViewedPoint chosen = viewed_point(run, g);
-    for (const int surface : run.room.paint[g].surfaces) {
-      RoomRun alone{.path = run.path, .room = run.room};
-      alone.room.paint = {{.surfaces = {surface}}};
-      alone.room.view.reset();
-      views.push_back(surface == chosen.surface ? chosen : viewed_point(alone));
-    }
-  }
-  return views;
-}
 
 /// What the room file calls the paint of a surface; the surface's own name where it names none.
 std::string paint_of(const Json& room_file, const scenes::Surface& surface) {
@@ -40,7 +26,10 @@ Exit shift_room(const RoomCommand& command, const Session& session) {
     throw room_fault(run, "/paint", "is missing, and shift needs it",
                      "name the surfaces, e.g. { \"surfaces\": [\"walls\"] }");
   }
-  const std::vector<solver::ViewedPoint> views = views_of(run);
+  std::vector<solver::ViewedPoint> views;
+  for (const scenes::PaintTask& group : run.room.paint) {
+    for (const int surface : group.surfaces) views.push_back(view_on(run, surface));
+  }
   prepare(run, command.options, out, views);
   const solver::RoomSolution solution =
       solver::solve_room(run.room, run.transport, command.options.radiosity);

@@ -129,9 +129,8 @@ Coefficients bilinear_coefficients(const MatrixX3d& matching) {
 
 BilinearSet bilinear_set_of(const RgbSpace& space) {
   constexpr Grid kEveryTenth{.first_nm = 360, .step_nm = 10, .count = 48};
-  const Eigen::ArrayXd white = light_on(kClosedFormGrid, space.white).values;
-  MatrixX3d matching = colour_matching(kEveryTenth) * space.xyz_from_rgb.inverse().transpose();
-  for (int j = 0; j < kEveryTenth.count; ++j) matching.row(j) *= white[10 * j];
+  const MatrixX3d matching =
+      colour_matching(kEveryTenth) * space.xyz_from_rgb.inverse().transpose();
   return {.name = space.name, .space = space.name, .k = bilinear_coefficients(matching)};
 }
 

@@ -30,8 +30,8 @@ struct BilinearSet {
 [[nodiscard]] std::array<Eigen::Matrix3d, 3> bilinear_coefficients(
     const Eigen::MatrixX3d& matching);
 
-/// The set of a space: colour matching functions times the space's white, 10 nm, 360..830 nm. With
-/// light measured relative to that white, surface and light go through the same functions.
+/// The set of a space: its colour matching functions, 10 nm, 360..830 nm. Scaled to area 1 they
+/// take light relative to the space's white as if that white were equal-energy.
 [[nodiscard]] BilinearSet bilinear_set_of(const RgbSpace& space);
 
 /// [Granier2004] 6.2: alpha_c is the share of component c that comes from other products than
