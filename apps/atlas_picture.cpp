@@ -73,12 +73,11 @@ class Plane {
           "<text x='{2:.1f}' y='{3:.1f}' class='tick'>{4:g}</text>\n",
           kSize / 2, edge.x() - kSize / 2, edge.x() + 2, kSize / 2 + 14, c);
     }
-    const double low = kMargin, high = kSize - kMargin, middle = kSize / 2;
     svg += fmt::format(
         "<path d='M {0:g} {2:g} H {1:g} M {2:g} {0:g} V {1:g}' stroke='#888'/>\n"
-        "<text x='{3:g}' y='{4:g}' text-anchor='end'>a_C, redness (CIECAM02 chroma units)</text>\n"
-        "<text x='{5:g}' y='{6:g}'>b_C, yellowness (CIECAM02 chroma units)</text>\n",
-        low, high, middle, high, middle - 8, middle + 8, low + 4);
+        "<text x='{2:g}' y='{3:g}' text-anchor='middle'>right: a_C, redness; up: b_C, yellowness; "
+        "circles: chroma C of CIECAM02</text>\n",
+        kMargin, kSize - kMargin, kSize / 2, kSize - 25);
     return svg;
   }
 
