@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include "solver/band_classes.h"
 
 namespace solver {
 namespace {
@@ -18,37 +19,34 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index kColumnsAtOnce = 32;  ///< of one pass of the solver
-constexpr double kSameLight = 1e-12;  ///< share of a column that other columns do not combine to
 /// Share of a vector that must be new to the basis, in units of the solver's error: less would be
 /// made of that error.
 constexpr double kNewDirection = 1e4;
 constexpr int kHeldOut = 2;       ///< solves of all bands per light
 constexpr double kTighter = 0.1;  ///< where held-out solves disagree
 
-/// Bands with the same fixed reflectances, and the fewest columns of light that theirs combine
-/// from.
-struct BandClass {
-  std::vector<int> bands;
-  ArrayXd fixed;          ///< reflectance per patch, 0 where painted
-  SourceLight sources;    ///< patch x source
-  MatrixXd share;         ///< sources x (bands * lights): light = sources * share
+/// A class of bands and what is known of its K.
+struct ReducedClass {
+  BandClass light;
   MatrixXd constant;      ///< outputs x sources, all paints black
   MatrixXd black;         ///< g, painted patches x sources
   MatrixXd basis, moved;  ///< V, K V; painted patches x n
   MatrixXd phi;           ///< outputs x n
   std::vector<int> group;
+
+  [[nodiscard]] Index sources() const { return light.share.rows(); }
 };
 
 /// One column of a solve, and what is kept of its answer.
 struct Column {
-  const BandClass* of = nullptr;
+  const ReducedClass* of = nullptr;
   VectorXd emission, direct;
   VectorXd paint;     ///< reflectance of each group
   VectorXd received;  ///< sqrt(A) H on the painted patches
   VectorXd outputs;
 };
 
-MatrixXd symmetric_transfer(const BandClass& c) {
+MatrixXd symmetric_transfer(const ReducedClass& c) {
   MatrixXd k = c.basis.transpose() * c.moved;
   // What the solves left open grows with each vector, so the earlier of a pair is believed.
   for (Index i = 0; i < k.rows(); ++i) {
@@ -85,7 +83,10 @@ class Reduction {
     }
     if (patches_.empty()) throw std::invalid_argument("no patch is painted");
     root_area_ = exchange.area_m2(patches_).sqrt();
-    find_classes();
+    for (BandClass& c : band_classes(exchange.area_m2, lights, painted)) {
+      lit_bands_ += static_cast<int>(c.bands.size());
+      classes_.push_back({.light = std::move(c)});
+    }
     list_candidates();
   }
 
@@ -107,8 +108,6 @@ class Reduction {
     return painted_.group[static_cast<std::size_t>(patches_[static_cast<std::size_t>(painted)])];
   }
 
-  void find_classes();
-  void find_sources(BandClass& c) const;
   void list_candidates();
   void solve(std::vector<Column>& columns);
   void solve_some(Column* first, Index count);
@@ -117,17 +116,17 @@ class Reduction {
 
   [[nodiscard]] Index vectors() const {
     Index sum = 0;
-    for (const BandClass& c : classes_) sum += c.basis.cols();
+    for (const ReducedClass& c : classes_) sum += c.basis.cols();
     return sum;
   }
 
-  std::vector<Column> worst_columns(BandClass& c, int most) const;
-  [[nodiscard]] double residual(const BandClass& c, Index source, const VectorXd& paint,
+  std::vector<Column> worst_columns(ReducedClass& c, int most) const;
+  [[nodiscard]] double residual(const ReducedClass& c, Index source, const VectorXd& paint,
                                 const MatrixXd& k) const;
-  void add_parts(BandClass& c, const VectorXd& received, std::vector<VectorXd> moved,
+  void add_parts(ReducedClass& c, const VectorXd& received, std::vector<VectorXd> moved,
                  std::vector<VectorXd> phi) const;
-  void add_vector(BandClass& c, int group, VectorXd v, VectorXd moved, VectorXd phi) const;
-  [[nodiscard]] Column emitter(const BandClass& c, const VectorXd& received, int group) const;
+  void add_vector(ReducedClass& c, int group, VectorXd v, VectorXd moved, VectorXd phi) const;
+  [[nodiscard]] Column emitter(const ReducedClass& c, const VectorXd& received, int group) const;
   void absorb(std::vector<Column>& snapshots);
   [[nodiscard]] ReducedRoom result() const;
   void measure(ReducedRoom& reduced);
@@ -140,59 +139,11 @@ class Reduction {
   double residual_;  ///< relative, at which a class has enough vectors
   std::vector<int> patches_;
   ArrayXd root_area_;
-  std::vector<BandClass> classes_;
+  std::vector<ReducedClass> classes_;
   std::vector<VectorXd> candidates_;  ///< reflectances of the groups
   double solves_ = 0;
   int lit_bands_ = 0;
 };
-
-void Reduction::find_classes() {
-  for (int band = 0; band < static_cast<int>(painted_.fixed.cols()); ++band) {
-    const bool lit = std::ranges::any_of(lights_, [&](const SourceLight& light) {
-      return (light.emission.col(band) > 0).any() || (light.direct.col(band) > 0).any();
-    });
-    if (!lit) continue;
-    ++lit_bands_;
-    ArrayXd fixed = painted_.fixed.col(band);
-    for (const int p : patches_) fixed[p] = 0;
-    auto same = std::ranges::find_if(classes_,
-                                     [&](const BandClass& c) { return (c.fixed == fixed).all(); });
-    if (same == classes_.end()) {
-      classes_.push_back({.bands = {}, .fixed = fixed});
-      same = classes_.end() - 1;
-    }
-    same->bands.push_back(band);
-  }
-  for (BandClass& c : classes_) find_sources(c);
-}
-
-void Reduction::find_sources(BandClass& c) const {
-  const Index n = patches(), lights = static_cast<Index>(lights_.size());
-  MatrixXd light(2 * n, static_cast<Index>(c.bands.size()) * lights);
-  Index column = 0;
-  for (const int band : c.bands) {
-    for (const SourceLight& l : lights_) {
-      light.col(column++) << (l.emission.col(band) * exchange_.area_m2.sqrt()).matrix(),
-          (l.direct.col(band) * exchange_.area_m2.sqrt()).matrix();
-    }
-  }
-  VectorXd size = light.colwise().norm();
-  for (double& s : size) s = s > 0 ? s : 1;
-  light = light * size.cwiseInverse().asDiagonal();
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  qr.setThreshold(kSameLight);
-  qr.compute(light);
-  const Index rank = qr.rank();
-  const MatrixXd r = qr.matrixR().topRows(rank).template triangularView<Eigen::Upper>();
-  MatrixXd share(rank, light.cols());
-  share << MatrixXd::Identity(rank, rank),
-      r.leftCols(rank).triangularView<Eigen::Upper>().solve(r.rightCols(light.cols() - rank));
-  c.share = share * qr.colsPermutation().transpose() * size.asDiagonal();
-  const MatrixXd chosen = (light * qr.colsPermutation()).eval().leftCols(rank).cwiseMax(0);
-  const ArrayXd root = exchange_.area_m2.rsqrt();
-  c.sources = {.emission = chosen.topRows(n).array().colwise() * root,
-               .direct = chosen.bottomRows(n).array().colwise() * root};
-}
 
 /// Reflectances whose distance to 1 is spaced geometrically, every combination over the groups.
 void Reduction::list_candidates() {
@@ -224,7 +175,7 @@ void Reduction::solve_some(Column* first, Index count) {
   for (Index k = 0; k < count; ++k) {
     emission.col(k) = first[k].emission;
     direct.col(k) = first[k].direct;
-    reflectance.col(k) = first[k].of->fixed;
+    reflectance.col(k) = first[k].of->light.fixed;
     for (Index p = 0; p < root_area_.size(); ++p) {
       reflectance(patches_[static_cast<std::size_t>(p)], k) = first[k].paint[group_of(p)];
     }
@@ -247,24 +198,24 @@ void Reduction::solve_some(Column* first, Index count) {
 /// All paints black: y0 and g. Then each group's part of g, so that the basis is exact there.
 void Reduction::start() {
   std::vector<Column> black;
-  for (BandClass& c : classes_) {
-    for (Index s = 0; s < c.share.rows(); ++s) {
+  for (ReducedClass& c : classes_) {
+    for (Index s = 0; s < c.sources(); ++s) {
       black.push_back({.of = &c,
-                       .emission = c.sources.emission.col(s),
-                       .direct = c.sources.direct.col(s),
+                       .emission = c.light.sources.emission.col(s),
+                       .direct = c.light.sources.direct.col(s),
                        .paint = VectorXd::Zero(painted_.groups)});
     }
   }
   solve(black);
   std::vector<Column> parts;
   std::size_t k = 0;
-  for (BandClass& c : classes_) {
-    c.black.resize(root_area_.size(), c.share.rows());
-    c.constant.resize(static_cast<Index>(outputs_.size()), c.share.rows());
+  for (ReducedClass& c : classes_) {
+    c.black.resize(root_area_.size(), c.sources());
+    c.constant.resize(static_cast<Index>(outputs_.size()), c.sources());
     c.basis.resize(root_area_.size(), 0);
     c.moved = c.basis;
     c.phi.resize(static_cast<Index>(outputs_.size()), 0);
-    for (Index s = 0; s < c.share.rows(); ++s, ++k) {
+    for (Index s = 0; s < c.sources(); ++s, ++k) {
       c.black.col(s) = black[k].received;
       c.constant.col(s) = black[k].outputs;
       for (int j = 0; j < painted_.groups; ++j) parts.push_back(emitter(c, c.black.col(s), j));
@@ -272,8 +223,8 @@ void Reduction::start() {
   }
   solve(parts);
   k = 0;
-  for (BandClass& c : classes_) {
-    for (Index s = 0; s < c.share.rows(); ++s) {
+  for (ReducedClass& c : classes_) {
+    for (Index s = 0; s < c.sources(); ++s) {
       std::vector<VectorXd> moved, phi;
       for (int j = 0; j < painted_.groups; ++j, ++k) {
         moved.push_back(parts[k].received);
@@ -286,7 +237,7 @@ void Reduction::start() {
 
 /// A group's part of what the painted patches receive, sent out again with all paints black: what
 /// arrives is K E_j v.
-Column Reduction::emitter(const BandClass& c, const VectorXd& received, int group) const {
+Column Reduction::emitter(const ReducedClass& c, const VectorXd& received, int group) const {
   Column column{.of = &c,
                 .emission = VectorXd::Zero(patches()),
                 .direct = VectorXd::Zero(patches()),
@@ -299,7 +250,7 @@ Column Reduction::emitter(const BandClass& c, const VectorXd& received, int grou
   return column;
 }
 
-void Reduction::add_parts(BandClass& c, const VectorXd& received, std::vector<VectorXd> moved,
+void Reduction::add_parts(ReducedClass& c, const VectorXd& received, std::vector<VectorXd> moved,
                           std::vector<VectorXd> phi) const {
   for (int j = 0; j < painted_.groups; ++j) {
     VectorXd part = received;
@@ -312,7 +263,7 @@ void Reduction::add_parts(BandClass& c, const VectorXd& received, std::vector<Ve
 }
 
 /// Orthonormalised, twice against rounding; what the basis holds already is left out.
-void Reduction::add_vector(BandClass& c, int group, VectorXd v, VectorXd moved,
+void Reduction::add_vector(ReducedClass& c, int group, VectorXd v, VectorXd moved,
                            VectorXd phi) const {
   const double size = v.norm();
   for (int pass = 0; pass < 2; ++pass) {
@@ -337,7 +288,7 @@ void Reduction::add_vector(BandClass& c, int group, VectorXd v, VectorXd moved,
 }
 
 /// ||g + K R h - h|| / ||h|| of the projected irradiance h.
-double Reduction::residual(const BandClass& c, Index source, const VectorXd& paint,
+double Reduction::residual(const ReducedClass& c, Index source, const VectorXd& paint,
                            const MatrixXd& k) const {
   const VectorXd r = by_vector(c.group, paint);
   const VectorXd g = c.black.col(source);
@@ -348,13 +299,13 @@ double Reduction::residual(const BandClass& c, Index source, const VectorXd& pai
 
 /// Up to `most` reflectances for each source of a class where the residual is too large: the
 /// largest first, then others at some distance.
-std::vector<Column> Reduction::worst_columns(BandClass& c, int most) const {
+std::vector<Column> Reduction::worst_columns(ReducedClass& c, int most) const {
   const auto distance = [](const VectorXd& p, const VectorXd& q) {
     return ((1 - p.array()) / (1 - q.array())).log().abs().maxCoeff();
   };
   const MatrixXd k = symmetric_transfer(c);
   std::vector<Column> worst;
-  for (Index s = 0; s < c.share.rows(); ++s) {
+  for (Index s = 0; s < c.sources(); ++s) {
     std::vector<std::pair<double, const VectorXd*>> open;
     for (const VectorXd& paint : candidates_) {
       const double left = residual(c, s, paint, k);
@@ -370,8 +321,8 @@ std::vector<Column> Reduction::worst_columns(BandClass& c, int most) const {
     }
     for (const VectorXd* paint : chosen) {
       worst.push_back({.of = &c,
-                       .emission = c.sources.emission.col(s),
-                       .direct = c.sources.direct.col(s),
+                       .emission = c.light.sources.emission.col(s),
+                       .direct = c.light.sources.direct.col(s),
                        .paint = *paint,
                        .received = c.black.col(s),
                        .outputs = c.constant.col(s)});
@@ -383,12 +334,12 @@ std::vector<Column> Reduction::worst_columns(BandClass& c, int most) const {
 /// @return false if more solves bring nothing or are used up
 bool Reduction::grow() {
   Index sources = 0;
-  for (const BandClass& c : classes_) sources += c.share.rows();
+  for (const ReducedClass& c : classes_) sources += c.sources();
   const int at_once =
       static_cast<int>(std::max<Index>(1, kColumnsAtOnce / std::max<Index>(1, sources)));
   while (solves_ < options_.most_solves * painted_.groups) {
     std::vector<Column> snapshots;
-    for (BandClass& c : classes_) {
+    for (ReducedClass& c : classes_) {
       for (Column& column : worst_columns(c, at_once)) snapshots.push_back(std::move(column));
     }
     if (snapshots.empty()) return true;
@@ -432,7 +383,7 @@ void Reduction::absorb(std::vector<Column>& snapshots) {
     }
     moved[static_cast<std::size_t>(free)] = rest / highest;
     phi[static_cast<std::size_t>(free)] = rest_outputs / highest;
-    BandClass& c = classes_[static_cast<std::size_t>(s.of - classes_.data())];
+    ReducedClass& c = classes_[static_cast<std::size_t>(s.of - classes_.data())];
     add_parts(c, s.received, std::move(moved), std::move(phi));
   }
 }
@@ -447,12 +398,12 @@ ReducedRoom Reduction::result() const {
   reduced.transfers.push_back({.k = MatrixXd(0, 0), .phi = MatrixXd(outputs, 0)});
   reduced.bands.resize(static_cast<std::size_t>(painted_.fixed.cols()),
                        {.gamma = MatrixXd(0, lights), .constant = MatrixXd::Zero(outputs, lights)});
-  for (const BandClass& c : classes_) {
-    const MatrixXd gamma = c.basis.transpose() * c.black * c.share;
-    const MatrixXd constant = c.constant * c.share;
-    for (std::size_t b = 0; b < c.bands.size(); ++b) {
+  for (const ReducedClass& c : classes_) {
+    const MatrixXd gamma = c.basis.transpose() * c.black * c.light.share;
+    const MatrixXd constant = c.constant * c.light.share;
+    for (std::size_t b = 0; b < c.light.bands.size(); ++b) {
       const Index first = static_cast<Index>(b) * lights;
-      reduced.bands[static_cast<std::size_t>(c.bands[b])] = {
+      reduced.bands[static_cast<std::size_t>(c.light.bands[b])] = {
           .transfer = static_cast<int>(reduced.transfers.size()),
           .gamma = gamma.middleCols(first, lights),
           .constant = constant.middleCols(first, lights)};
@@ -473,8 +424,8 @@ void Reduction::measure(ReducedRoom& reduced) {
     for (int solve_number = 0; solve_number < kHeldOut; ++solve_number) {
       std::vector<Column> columns;
       std::vector<int> bands;
-      for (const BandClass& c : classes_) {
-        for (const int band : c.bands) {
+      for (const ReducedClass& c : classes_) {
+        for (const int band : c.light.bands) {
           VectorXd paint(painted_.groups);
           for (int j = 0; j < painted_.groups; ++j) {
             paint[j] = reflectance(band, solve_number + kHeldOut * static_cast<int>(l), j);
