@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "solver/band_classes.h"
+#include "solver/class_projection.h"
 
 namespace solver {
 namespace {
@@ -25,18 +25,6 @@ constexpr double kNewDirection = 1e4;
 constexpr int kHeldOut = 2;       ///< solves of all bands per light
 constexpr double kTighter = 0.1;  ///< where held-out solves disagree
 
-/// A class of bands and what is known of its K.
-struct ReducedClass {
-  BandClass light;
-  MatrixXd constant;      ///< outputs x sources, all paints black
-  MatrixXd black;         ///< g, painted patches x sources
-  MatrixXd basis, moved;  ///< V, K V; painted patches x n
-  MatrixXd phi;           ///< outputs x n
-  std::vector<int> group;
-
-  [[nodiscard]] Index sources() const { return light.share.rows(); }
-};
-
 /// One column of a solve, and what is kept of its answer.
 struct Column {
   const ReducedClass* of = nullptr;
@@ -45,27 +33,6 @@ struct Column {
   VectorXd received;  ///< sqrt(A) H on the painted patches
   VectorXd outputs;
 };
-
-MatrixXd symmetric_transfer(const ReducedClass& c) {
-  MatrixXd k = c.basis.transpose() * c.moved;
-  // What the solves left open grows with each vector, so the earlier of a pair is believed.
-  for (Index i = 0; i < k.rows(); ++i) {
-    for (Index j = 0; j < i; ++j) k(j, i) = k(i, j);
-  }
-  return k;
-}
-
-VectorXd by_vector(const std::vector<int>& group, const VectorXd& reflectance) {
-  VectorXd r(static_cast<Index>(group.size()));
-  for (Index i = 0; i < r.size(); ++i) r[i] = reflectance[group[static_cast<std::size_t>(i)]];
-  return r;
-}
-
-/// (I - K R)^-1 gamma
-MatrixXd coefficients(const MatrixXd& k, const VectorXd& r, const MatrixXd& gamma) {
-  const MatrixXd system = MatrixXd::Identity(k.rows(), k.cols()) - k * r.asDiagonal();
-  return system.partialPivLu().solve(gamma);
-}
 
 class Reduction {
  public:
@@ -121,11 +88,8 @@ class Reduction {
   }
 
   std::vector<Column> worst_columns(ReducedClass& c, int most) const;
-  [[nodiscard]] double residual(const ReducedClass& c, Index source, const VectorXd& paint,
-                                const MatrixXd& k) const;
   void add_parts(ReducedClass& c, const VectorXd& received, std::vector<VectorXd> moved,
                  std::vector<VectorXd> phi) const;
-  void add_vector(ReducedClass& c, int group, VectorXd v, VectorXd moved, VectorXd phi) const;
   [[nodiscard]] Column emitter(const ReducedClass& c, const VectorXd& received, int group) const;
   void absorb(std::vector<Column>& snapshots);
   [[nodiscard]] ReducedRoom result() const;
@@ -258,43 +222,13 @@ void Reduction::add_parts(ReducedClass& c, const VectorXd& received, std::vector
       if (group_of(p) != j) part[p] = 0;
     }
     const auto at = static_cast<std::size_t>(j);
-    add_vector(c, j, std::move(part), std::move(moved[at]), std::move(phi[at]));
+    add_vector(c,
+               {.group = j,
+                .v = std::move(part),
+                .moved = std::move(moved[at]),
+                .phi = std::move(phi[at])},
+               kNewDirection * options_.solver_error);
   }
-}
-
-/// Orthonormalised, twice against rounding; what the basis holds already is left out.
-void Reduction::add_vector(ReducedClass& c, int group, VectorXd v, VectorXd moved,
-                           VectorXd phi) const {
-  const double size = v.norm();
-  for (int pass = 0; pass < 2; ++pass) {
-    for (Index i = 0; i < c.basis.cols(); ++i) {
-      if (c.group[static_cast<std::size_t>(i)] != group) continue;
-      const double along = c.basis.col(i).dot(v);
-      v -= along * c.basis.col(i);
-      moved -= along * c.moved.col(i);
-      phi -= along * c.phi.col(i);
-    }
-  }
-  const double left = v.norm();
-  if (!(left > kNewDirection * options_.solver_error * size)) return;
-  const Index n = c.basis.cols();
-  c.basis.conservativeResize(Eigen::NoChange, n + 1);
-  c.moved.conservativeResize(Eigen::NoChange, n + 1);
-  c.phi.conservativeResize(Eigen::NoChange, n + 1);
-  c.basis.col(n) = v / left;
-  c.moved.col(n) = moved / left;
-  c.phi.col(n) = phi / left;
-  c.group.push_back(group);
-}
-
-/// ||g + K R h - h|| / ||h|| of the projected irradiance h.
-double Reduction::residual(const ReducedClass& c, Index source, const VectorXd& paint,
-                           const MatrixXd& k) const {
-  const VectorXd r = by_vector(c.group, paint);
-  const VectorXd g = c.black.col(source);
-  const VectorXd h = coefficients(k, r, c.basis.transpose() * g);
-  const VectorXd rest = g + c.moved * (r.asDiagonal() * h) - c.basis * h;
-  return h.norm() > 0 ? rest.norm() / h.norm() : 0;
 }
 
 /// Up to `most` reflectances for each source of a class where the residual is too large: the
