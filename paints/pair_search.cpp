@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "paints/piece_bound.h"
+
 namespace paints {
 namespace {
 
@@ -14,13 +16,6 @@ struct Sampled {
   double nearest = kInfinity, bound = kInfinity;  // of the samples; below any mixture
   int step = 0;                                   // of the nearest sample
 };
-
-double distance_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  const Eigen::Vector3d along = to - from;
-  const double length = along.squaredNorm();
-  const double t = length > 0 ? std::clamp(-from.dot(along) / length, 0.0, 1.0) : 0;
-  return (from + t * along).norm();
-}
 
 Parts shares_at(int step) {
   const double second = static_cast<double>(step) / kSteps;
@@ -46,9 +41,11 @@ Sampled sampled(const SearchSpace& space, const BaseNumbers& pair, const Line& l
     if (d < s.nearest) s.nearest = d, s.step = static_cast<int>(step);
   }
   for (std::size_t step = 0; step < kSteps; step += 2) {
-    const Eigen::Vector3d from = line[step] - space.wish(), to = line[step + 2] - space.wish();
-    const double bulge = (line[step + 1] - space.wish() - (from + to) / 2).norm();
-    s.bound = std::min(s.bound, distance_to_segment(from, to) - kBulge * bulge);
+    const std::array<Eigen::Vector3d, 2> ends{line[step] - space.wish(),
+                                              line[step + 2] - space.wish()};
+    const std::array<Eigen::Vector3d, 1> deviation{line[step + 1] - space.wish() -
+                                                   (ends[0] + ends[1]) / 2};
+    s.bound = std::min(s.bound, piece_bound(ends, deviation, deviation[0].norm()));
   }
   return s;
 }

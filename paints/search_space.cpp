@@ -11,24 +11,6 @@ namespace {
 constexpr double kFirstShare = 0.05;  // of a base that is added
 constexpr double kNoShare = 1e-7;     // a base with less is left out
 
-/// Without the bases that have no part, the others in rising order.
-Candidate in_order(const BaseNumbers& bases, const Fit& fit) {
-  std::vector<std::pair<int, double>> kept;
-  for (int i = 0; i < bases.count; ++i) {
-    if (fit.parts[i] > kNoShare) {
-      kept.emplace_back(bases.at[static_cast<std::size_t>(i)], fit.parts[i]);
-    }
-  }
-  std::sort(kept.begin(), kept.end());
-  Candidate candidate{.bases = {}, .parts = Parts::Zero(), .distance = fit.distance};
-  for (const auto& [base, part] : kept) {
-    candidate.bases.at[static_cast<std::size_t>(candidate.bases.count)] = base;
-    candidate.parts[candidate.bases.count++] = part;
-  }
-  candidate.parts /= candidate.parts.sum();
-  return candidate;
-}
-
 }  // namespace
 
 SearchSpace::SearchSpace(const BaseSet& set, const ViewedTable& table, const Eigen::Vector3d& wish,
@@ -73,6 +55,23 @@ std::vector<Candidate> SearchSpace::extended(const Candidate& from) const {
     found.push_back(fitted(bases, shares));
   }
   return found;
+}
+
+Candidate in_order(const BaseNumbers& bases, const Fit& fit) {
+  std::vector<std::pair<int, double>> kept;
+  for (int i = 0; i < bases.count; ++i) {
+    if (fit.parts[i] > kNoShare) {
+      kept.emplace_back(bases.at[static_cast<std::size_t>(i)], fit.parts[i]);
+    }
+  }
+  std::sort(kept.begin(), kept.end());
+  Candidate candidate{.bases = {}, .parts = Parts::Zero(), .distance = fit.distance};
+  for (const auto& [base, part] : kept) {
+    candidate.bases.at[static_cast<std::size_t>(candidate.bases.count)] = base;
+    candidate.parts[candidate.bases.count++] = part;
+  }
+  candidate.parts /= candidate.parts.sum();
+  return candidate;
 }
 
 void keep_nearest(std::vector<Candidate>& candidates, std::size_t most) {

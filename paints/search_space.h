@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <thread>
@@ -43,23 +44,20 @@ class SearchSpace {
   /// The candidate with every further base that brings it nearer to first order, fitted.
   [[nodiscard]] std::vector<Candidate> extended(const Candidate& from) const;
 
- private:
   [[nodiscard]] Parts strengths(const BaseNumbers& bases) const;
 
+ private:
   const ViewedTable& table_;
   Eigen::Vector3d wish_;
   int threads_;
   std::vector<double> strength_;  // per base
 };
 
+/// Of a fit, without the bases that ended with no part, the others in rising order.
+[[nodiscard]] Candidate in_order(const BaseNumbers& bases, const Fit& fit);
+
 /// Keeps the nearest of each set of bases, at most `most`, nearest first.
 void keep_nearest(std::vector<Candidate>& candidates, std::size_t most);
-
-/// Lower bounds of the distance over a piece of a line or triangle of mixtures rest on one
-/// assumption: its appearance lies no farther from the flat piece through its corners than kBulge
-/// times the farthest of its edges' middles from the middle of their ends. A smooth patch of second
-/// order needs 4/3.
-inline constexpr double kBulge = 3;
 
 /// job(0), ..., job(count - 1), each once, on `threads` threads.
 template <typename Job>

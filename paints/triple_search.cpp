@@ -1,6 +1,9 @@
 #include "paints/triple_search.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "paints/piece_bound.h"
 
 namespace paints {
 namespace {
@@ -19,14 +22,13 @@ struct Point {
 struct Piece {
   std::array<Point, 3> corner, middle;
 
-  /// How far the middles of the edges lie from the middles of their ends, at most.
-  [[nodiscard]] double bulge() const {
-    double most = 0;
+  /// How far the middles of the edges lie from the middles of their ends.
+  [[nodiscard]] std::array<Vector3d, 3> deviations() const {
+    std::array<Vector3d, 3> all;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3d ends = corner[i].jab + corner[(i + 1) % 3].jab;
-      most = std::max(most, (middle[i].jab - ends / 2).squaredNorm());
+      all[i] = middle[i].jab - (corner[i].jab + corner[(i + 1) % 3].jab) / 2;
     }
-    return std::sqrt(most);
+    return all;
   }
 };
 
@@ -36,24 +38,9 @@ struct Block {
   TripleSearch found;
 };
 
-/// No point of the triangle is nearer to the origin [Gilbert1966].
-double bound_of_flat(const std::array<Vector3d, 3>& corner) {
-  Vector3d x = (corner[0] + corner[1] + corner[2]) / 3;
-  double bound = 0;
-  for (int i = 0; i < 4; ++i) {
-    const Vector3d* support = &corner[0];
-    for (const Vector3d& c : corner) {
-      if (c.dot(x) < support->dot(x)) support = &c;
-    }
-    const double length = x.norm();
-    if (length == 0) return 0;
-    bound = std::max(bound, support->dot(x) / length);
-    const Vector3d along = *support - x;
-    const double along2 = along.squaredNorm();
-    if (along2 == 0) break;
-    x += std::clamp(-x.dot(along) / along2, 0.0, 1.0) * along;
-  }
-  return bound;
+double longest(const std::array<Vector3d, 3>& vectors) {
+  return std::sqrt(
+      std::max({vectors[0].squaredNorm(), vectors[1].squaredNorm(), vectors[2].squaredNorm()}));
 }
 
 class TripleSearcher {
@@ -66,8 +53,9 @@ class TripleSearcher {
     const Piece whole{.corner = {base(0), base(1), base(2)},
                       .middle = {edge(0, 1, 2), edge(1, 2, 2), edge(2, 0, 2)}};
     ++block_.found.triples;
-    const double bulge = whole.bulge();
-    if (excluded(whole, bulge)) return;
+    const std::array<Vector3d, 3> deviations = whole.deviations();
+    const double bulge = longest(deviations);
+    if (excluded(whole, deviations, bulge)) return;
     ++block_.found.examined;
     cut(whole,
         {edge(0, 1, 1), edge(0, 1, 3), edge(1, 2, 1), edge(1, 2, 3), edge(2, 0, 1), edge(2, 0, 3)},
@@ -101,10 +89,10 @@ class TripleSearcher {
     return middle;
   }
 
-  bool excluded(const Piece& piece, double bulge) const {
-    std::array<Vector3d, 3> corner;
-    for (std::size_t i = 0; i < 3; ++i) corner[i] = piece.corner[i].jab - space_.wish();
-    return bound_of_flat(corner) - kBulge * bulge >= block_.best - block_.tolerance;
+  bool excluded(const Piece& piece, const std::array<Vector3d, 3>& deviations, double bulge) const {
+    std::array<Vector3d, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = piece.corner[i].jab - space_.wish();
+    return piece_bound(corners, deviations, bulge) >= block_.best - block_.tolerance;
   }
 
   /// @param halves  the middles of the six half edges, two per edge
@@ -128,8 +116,9 @@ class TripleSearcher {
   /// @param whole_bulge  of the piece that it was cut from: a quarter of it remains where the
   ///                     appearance is smooth, even if by chance the middles show less
   void search(const Piece& piece, double whole_bulge, int depth) {
-    const double bulge = std::max(piece.bulge(), whole_bulge / 4);
-    if (excluded(piece, bulge)) return;
+    const std::array<Vector3d, 3> deviations = piece.deviations();
+    const double bulge = std::max(longest(deviations), whole_bulge / 4);
+    if (excluded(piece, deviations, bulge)) return;
     std::array<Point, 6> halves;
     for (std::size_t i = 0; i < 3; ++i) {
       halves[2 * i] = between(piece.corner[i], piece.middle[i]);
