@@ -43,6 +43,13 @@ void add_options(CLI::App& command, RankOptions& options) {
       .add_option("--top", options.top, "how many of the best are written (default: the room's)")
       ->check(CLI::Range(1, 1000000));
   command
+      .add_option("--resolve-top", options.resolve_top,
+                  "how many of the best are checked by full solves (default 10)")
+      ->check(CLI::Range(0, 1000000));
+  command.add_option("--response", options.response,
+                     "file of the room response, read if it fits the room, else written (default: "
+                     "response.json in the folder)");
+  command
       .add_option("--max-dJ", options.windows.lightness,
                   "leave out paints whose swatch differs more than this in lightness")
       ->check(kPositive);

@@ -154,7 +154,7 @@ TEST(Roomhue, RankOrdersTheAtlasByDistance) {
   const ProgramRun run = roomhue("rank " + kBox + "--max-dJ 9 --max-dC 9 --top 3 --json --out " +
                                  folder.path().string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(names_in(folder.path()), ElementsAre("ranking.csv", "run.json", "shift.csv"));
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("ranking.csv", "response.json", "run.json", "shift.csv"));
   EXPECT_THAT(first_line(folder / "ranking.csv"),
               StartsWith("rank,paint,distance,J,a_C,b_C,C,h_deg,H,dJ,da_C,db_C,x,y"));
   const auto paints = nlohmann::json::parse(run.out)["paints"];
