@@ -11,6 +11,7 @@ namespace apps {
 struct Session {
   std::vector<std::string> command_line;
   bool json = false;  ///< data on stdout as JSON
+  int threads = 1;    ///< for work outside the solver
 };
 
 struct RoomCommand {
@@ -23,6 +24,11 @@ struct RankCommand {
   RankOptions options;
 };
 
+struct MixCommand {
+  std::string room, out;
+  MixOptions options;
+};
+
 struct FileCommand {
   std::string in, out;
   bool inverse = false;  ///< appearance only
@@ -32,6 +38,7 @@ Exit check_room(const RoomCommand& command, const Session& session);
 Exit solve_room(const RoomCommand& command, const Session& session);
 Exit shift_room(const RoomCommand& command, const Session& session);
 Exit rank_room(const RankCommand& command, const Session& session);
+Exit mix_room(const MixCommand& command, const Session& session);
 Exit batch_rooms(const RankCommand& command, const Session& session);
 Exit convert_table(const FileCommand& command, const Session& session);
 Exit solve_cube(const FileCommand& command, const Session& session);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 #include "appearance/jab_slope.h"
 #include "paints/recipe_fit.h"
@@ -155,6 +156,9 @@ Recipes find_recipes(const BaseSet& set, const Target& target,
   Recipes found;
   std::vector<Candidate> candidates = search(space, options.bases, found.search);
   candidates.resize(std::min(candidates.size(), std::max(kRefined, 3 * options.count)));
+
+  // The white of near-white surfaces jumps where a paint becomes one: the table cannot follow.
+  if (options.viewing.white != spectra::ReferenceWhite::ideal) found.search.global_triples = false;
 
   const Exact exact(set, room, options.viewing);
   for (const Candidate& candidate : candidates) {

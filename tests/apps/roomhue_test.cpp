@@ -23,7 +23,7 @@ TEST(Roomhue, HelpAndVersionAreNoErrors) {
   EXPECT_EQ(roomhue("--help").exit_code, 0);
   EXPECT_THAT(roomhue("--version").out, StartsWith("roomhue "));
   for (const char* command :
-       {"check", "solve", "shift", "rank", "appearance", "cube", "brick", "batch"}) {
+       {"check", "solve", "shift", "rank", "mix", "appearance", "cube", "brick", "batch"}) {
     const ProgramRun run = roomhue(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_THAT(run.out, HasSubstr("Example: roomhue " + std::string(command))) << command;
