@@ -29,6 +29,25 @@ const CLI::Validator kNotNegative(
     },
     "FROM 0");
 
+/// 0 to below 1, as a share of light.
+const CLI::Validator kShare(
+    [](const std::string& text) {
+      double value = 0;
+      const bool good = CLI::detail::lexical_cast(text, value) && value >= 0 && value < 1;
+      return good ? std::string() : text + " is no number from 0 to below 1";
+    },
+    "SHARE");
+
+/// A step that divides 100 parts.
+const CLI::Validator kStep(
+    [](const std::string& text) {
+      double value = 0;
+      const bool number = CLI::detail::lexical_cast(text, value) && value >= 0.01 && value <= 100;
+      const bool good = number && std::abs(100 / value - std::round(100 / value)) < 1e-9;
+      return good ? std::string() : text + " does not divide 100 parts, or is below 0.01";
+    },
+    "PARTS");
+
 void add_patch_option(CLI::App& command, RoomOptions& options) {
   command.add_option("--patch-m", options.patch_m, "longest patch edge in m (default: the room's)")
       ->check(kPositive);
@@ -59,6 +78,15 @@ void add_atlas_options(CLI::App& command, RankOptions& options) {
   command.add_option("--response", options.response,
                      "file of the room response, read if it fits the room, else written (default: "
                      "response.json in the folder)");
+}
+
+void add_top_option(CLI::App& command, RankOptions& options) {
+  command
+      .add_option("--top", options.top, "how many of the best are written (default: the room's)")
+      ->check(CLI::Range(1, 1000000));
+}
+
+void add_distance_option(CLI::App& command, RankOptions& options) {
   command
       .add_option("--distance", options.distance,
                   "jab (default: Euclidean in J, a_C, b_C) or cam02-ucs")
@@ -67,9 +95,8 @@ void add_atlas_options(CLI::App& command, RankOptions& options) {
 
 void add_options(CLI::App& command, RankOptions& options) {
   add_atlas_options(command, options);
-  command
-      .add_option("--top", options.top, "how many of the best are written (default: the room's)")
-      ->check(CLI::Range(1, 1000000));
+  add_top_option(command, options);
+  add_distance_option(command, options);
   command
       .add_option("--resolve-top", options.resolve_top,
                   "how many of the best are checked by full solves (default 10)")
@@ -106,6 +133,26 @@ void add_colour_option(CLI::App& command, SolveCommand& solve) {
                                  "three numbers want auto, jacobi, gauss-seidel or bicgstab");
     }
   });
+}
+
+void add_options(CLI::App& command, MixOptions& options) {
+  add_atlas_options(command, options.rank);
+  add_top_option(command, options.rank);
+  command.add_option("--bases", options.bases, "most paints in a recipe, 1 to 4 (default 3)")
+      ->check(CLI::Range(1, 4));
+  command
+      .add_option("--step", options.step,
+                  "what can be weighed, in parts of 100 (default: any parts)")
+      ->check(kStep);
+  command
+      .add_option_function<std::vector<double>>(
+          "--saunderson",
+          [&options](const std::vector<double>& k) { options.surface = {.k1 = k[0], .k2 = k[1]}; },
+          "K1,K2: light thrown back by the film's surface from outside, as far as it was measured, "
+          "and from within (default 0,0: no correction)")
+      ->expected(2)
+      ->delimiter(',')
+      ->check(kShare);
 }
 
 void add_out(CLI::App& command, std::string& out,
@@ -189,6 +236,16 @@ void add_rank_commands(CLI::App& program, CommandLine& line) {
   atlas.app().add_option("ROOM", mapped->rooms, "room file with paint.surfaces")->required();
   add_out(atlas.app(), mapped->out);
   add_atlas_options(atlas.app(), mapped->options);
+  add_distance_option(atlas.app(), mapped->options);
+
+  Subcommand mix(program, "mix",
+                 "Mixtures of the atlas's paints by how near they look in the room to the target: "
+                 "recipes.csv, mixtures.csv",
+                 "scenes/rooms/office.json --bases 3 --step 0.5 --out out/mix");
+  const auto mixed = mix.runs(mix_room, line);
+  mix.app().add_option("ROOM", mixed->room, "room file with paint.target")->required();
+  add_out(mix.app(), mixed->out);
+  add_options(mix.app(), mixed->options);
 
   Subcommand batch(program, "batch",
                    "Many rooms, a folder each and summary.csv; goes on past bad rooms, resumes",

@@ -33,6 +33,11 @@ struct RankCommand {
   RankOptions options;
 };
 
+struct MixCommand {
+  std::string room, out;
+  MixOptions options;
+};
+
 struct FileCommand {
   std::string in, out;
   bool inverse = false;  ///< appearance only
@@ -58,6 +63,7 @@ Exit shift_room(const RoomCommand& command, const Session& session);
 Exit compare_room(const RoomCommand& command, const Session& session);
 Exit rank_room(const RankCommand& command, const Session& session);
 Exit map_atlas(const RankCommand& command, const Session& session);
+Exit mix_room(const MixCommand& command, const Session& session);
 Exit batch_rooms(const RankCommand& command, const Session& session);
 Exit convert_table(const FileCommand& command, const Session& session);
 Exit solve_cube(const FileCommand& command, const Session& session);

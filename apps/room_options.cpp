@@ -53,4 +53,14 @@ Json to_json(const RankOptions& options) {
   return json;
 }
 
+Json to_json(const MixOptions& options) {
+  Json json = to_json(options.rank.room);
+  json["atlas"] = options.rank.atlas.empty() ? Json() : Json(options.rank.atlas);
+  json["top"] = options.rank.top > 0 ? Json(options.rank.top) : Json();
+  json["bases"] = options.bases;
+  json["step"] = options.step > 0 ? Json(options.step) : Json();
+  json["saunderson"] = {options.surface.k1, options.surface.k2};
+  return json;
+}
+
 }  // namespace apps

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "paints/mixing.h"
 #include "paints/ranking.h"
 #include "solver/room_light.h"
 
@@ -27,11 +28,21 @@ struct RankOptions {
   paints::Distance distance = paints::Distance::jab;
 };
 
+/// How the paints of an atlas are mixed for a room; of `rank`, windows and distance have no
+/// meaning.
+struct MixOptions {
+  RankOptions rank;
+  int bases = 3;    ///< at most so many in a recipe
+  double step = 0;  ///< that can be weighed, in parts of 100; 0: any parts
+  paints::Saunderson surface;
+};
+
 /// Names on the command line and in run.json.
 [[nodiscard]] const std::map<std::string, solver::Method>& method_names();
 [[nodiscard]] const std::map<std::string, paints::Distance>& distance_names();
 
 [[nodiscard]] Json to_json(const RoomOptions& options);
 [[nodiscard]] Json to_json(const RankOptions& options);
+[[nodiscard]] Json to_json(const MixOptions& options);
 
 }  // namespace apps

@@ -28,22 +28,26 @@ Atlas read_atlas(const std::string& path, const spectra::Grid& grid) {
   const spectra::SpectrumFile file =
       spectra::read_spectrum_file(path, spectra::CurveKind::reflectance);
   // The header gives every curve the same wavelengths, so the first one speaks for all.
-  const std::string missing = spectra::missing_range(file.set.entries.front().samples, grid);
-  if (!missing.empty()) {
-    throw spectra::InputError({{.file = path,
-                                .line = 1,
-                                .column = 1,
-                                .pointer = "header",
-                                .problem = fmt::format("{} missing", missing),
-                                .remedy = fmt::format("give reflectances for {}..{} nm",
-                                                      grid.first_nm, grid.last_nm())}});
-  }
+  require_coverage(path, file.set.entries.front().samples, grid);
   Atlas atlas = on_grid(file.set, grid);
   atlas.percent = file.percent;
   return atlas;
 }
 
 }  // namespace
+
+void require_coverage(const std::string& path, const spectra::Samples& curve,
+                      const spectra::Grid& grid) {
+  const std::string missing = spectra::missing_range(curve, grid);
+  if (missing.empty()) return;
+  throw spectra::InputError(
+      {{.file = path,
+        .line = 1,
+        .column = 1,
+        .pointer = "header",
+        .problem = fmt::format("{} missing", missing),
+        .remedy = fmt::format("give the curves for {}..{} nm", grid.first_nm, grid.last_nm())}});
+}
 
 Atlas load_atlas(const std::string& name_or_path, const spectra::Grid& grid) {
   const std::vector<std::string>& names = spectra::atlas_names();

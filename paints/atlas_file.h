@@ -26,4 +26,8 @@ struct Atlas {
 [[nodiscard]] Atlas load_atlas(const std::string& name_or_path,
                                const spectra::Grid& grid = spectra::kTransportGrid);
 
+/// @throws spectra::InputError  if the curves of the file at `path` do not cover the grid
+void require_coverage(const std::string& path, const spectra::Samples& curve,
+                      const spectra::Grid& grid);
+
 }  // namespace paints

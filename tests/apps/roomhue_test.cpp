@@ -22,8 +22,8 @@ std::string bands(char quantity) {
 TEST(Roomhue, HelpAndVersionAreNoErrors) {
   EXPECT_EQ(roomhue("--help").exit_code, 0);
   EXPECT_THAT(roomhue("--version").out, StartsWith("roomhue "));
-  for (const char* command : {"check", "solve", "shift", "compare", "rank", "atlas", "appearance",
-                              "cube", "brick", "batch", "relight", "shader"}) {
+  for (const char* command : {"check", "solve", "shift", "compare", "rank", "atlas", "mix",
+                              "appearance",                              "cube", "brick", "batch", "relight", "shader"}) {
     const ProgramRun run = roomhue(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_THAT(run.out, HasSubstr("Example: roomhue " + std::string(command))) << command;
