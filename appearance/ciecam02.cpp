@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
+
+#include "appearance/ciecam02_steps.h"
 
 namespace appearance {
 
@@ -18,32 +19,7 @@ using spectra::RelativeXyz;
 
 namespace {
 
-const Matrix3d kCat02{
-    {0.7328, 0.4296, -0.1624}, {-0.7036, 1.6975, 0.0061}, {0.0030, 0.0136, 0.9834}};
-const Matrix3d kHuntPointerEstevez{
-    {0.38971, 0.68898, -0.07868}, {-0.22981, 1.18340, 0.04641}, {0, 0, 1}};
-// [Neumann2004] eq. 26 misprints digits of this product, so it is computed.
-const Matrix3d kConesFromCat02 = kHuntPointerEstevez * kCat02.inverse();
-
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
-constexpr double kNoise = 0.305;  // the 0.1 offsets within R'a + G'a + 1.05 B'a
-
-// base^exponent for base >= 0, cheaper than std::pow; its error of 1e-15 instead of 1e-16 is far
-// below what is promised here.
-double positive_power(double base, double exponent) { return std::exp(exponent * std::log(base)); }
-
-// The compression [CIE159] without its offset 0.1, which the sums below contain exactly. So black
-// is exactly 0 and dark colours keep their digits. Negative cones are compressed symmetrically.
-Vector3d compressed(const Vector3d& cones) {
-  std::array<double, 3> power{};  // |cone|^0.42, all logarithms first: none waits for another
-  for (int i = 0; i < 3; ++i) power[i] = std::log(std::abs(cones[i]));
-  for (double& p : power) p = std::exp(0.42 * p);
-  Vector3d response;
-  for (int i = 0; i < 3; ++i) {
-    response[i] = std::copysign(400 * power[i] / (27.13 + power[i]), cones[i]);
-  }
-  return response;
-}
 
 double expanded(double response) {
   const double magnitude = std::abs(response);
@@ -51,26 +27,6 @@ double expanded(double response) {
 }
 
 Vector3d vector(const RelativeXyz& xyz) { return {xyz.x, xyz.y, xyz.z}; }
-
-/// A / N_bb
-double achromatic(const Vector3d& r) { return 2 * r[0] + r[1] + r[2] / 20; }
-
-struct Opponent {
-  double strength, cos_h, sin_h;  // hypot(a, b), and the direction of (a, b)
-};
-
-Opponent opponent(const Vector3d& r) {
-  const double red_green = (11 * r[0] - 12 * r[1] + r[2]) / 11;  // a
-  const double yellow_blue = (r[0] + r[1] - 2 * r[2]) / 9;       // b
-  const double strength = std::sqrt(red_green * red_green + yellow_blue * yellow_blue);
-  if (strength == 0) return {.strength = 0, .cos_h = 1, .sin_h = 0};
-  return {strength, red_green / strength, yellow_blue / strength};
-}
-
-/// e_t from cos h and sin h: (cos(h + 2 rad) + 3.8) / 4
-double eccentricity(double cos_h, double sin_h) {
-  return (cos_h * std::cos(2.0) - sin_h * std::sin(2.0) + 3.8) / 4;
-}
 
 struct UniqueHue {
   double h_deg, e;
@@ -97,8 +53,8 @@ double hue_angle_deg(double cos_h, double sin_h) {
   return h + 360 < 360 ? h + 360 : 0;  // the sum rounds to 360 for the smallest angles
 }
 
-Correlates correlates(const Status& status, double root_j, double alpha, const Opponent& o,
-                      const Adaptation& a) {
+Correlates correlates(const Status& status, double root_j, double alpha,
+                      const steps::Opponent<double>& o, const Adaptation& a) {
   const double hue_deg = hue_angle_deg(o.cos_h, o.sin_h), chroma = alpha * root_j;
   const double colourfulness = chroma * a.f_l_4th;
   const double saturation = a.saturation_scale * std::sqrt(alpha);  // 100 sqrt(M / Q)
@@ -138,63 +94,49 @@ void require_sound(const ViewingConditions& view) {
   require(n_c > 0 && n_c <= 2, "surround factor N_c must lie above 0, up to 2", n_c);
 }
 
-double luminance_adaptation(double adapting_luminance_cd_m2) {
-  const double l = 5 * adapting_luminance_cd_m2, k4 = std::pow(l + 1, -4);
-  return 0.2 * k4 * l + 0.1 * std::pow(1 - k4, 2) * std::cbrt(l);
-}
-
 }  // namespace
 
 Adaptation adapt(const ViewingConditions& view) {
   require_sound(view);
-  const Vector3d white = kCat02 * vector(view.white);
+  const Vector3d white = steps::kCat02 * vector(view.white);
   require((white.array() > 0).all(), "each CAT02 component of the white must be above 0, the least",
           white.minCoeff());
 
-  const double la = view.adapting_luminance_cd_m2, n = view.background_y / view.white.y;
-  const double f_l = luminance_adaptation(la);
-  const double d = view.surround.f * (1 - std::exp(-(la + 42) / 92) / 3.6);
-  const Vector3d gain = (view.white.y * d / white.array() + 1 - d).matrix();
-
-  Adaptation a{.background_induction = 0.725 * std::pow(n, -0.2),
-               .lightness_exponent = view.surround.c * (1.48 + std::sqrt(n)),
-               .f_l_4th = std::pow(f_l, 0.25),
-               .chroma_factor = std::pow(1.64 - std::pow(0.29, n), 0.73),
-               .cones_from_xyz = f_l / 100 * kConesFromCat02 * gain.asDiagonal() * kCat02,
-               .xyz_from_cones = 100 / f_l * kCat02.inverse() * gain.cwiseInverse().asDiagonal() *
-                                 kConesFromCat02.inverse()};
-  a.white_response =
-      a.background_induction * achromatic(compressed(a.cones_from_xyz * vector(view.white)));
+  const auto& [f, c, n_c] = view.surround;
+  const steps::Adapted<double> core =
+      steps::adapted<double>({.white = vector(view.white),
+                              .adapting_luminance_cd_m2 = view.adapting_luminance_cd_m2,
+                              .background_y = view.background_y,
+                              .f = f,
+                              .c = c,
+                              .n_c = n_c});
+  Adaptation a{.background_induction = core.background_induction,
+               .lightness_exponent = core.lightness_exponent,
+               .f_l_4th = std::pow(core.f_l, 0.25),
+               .chroma_factor = core.chroma_factor,
+               .white_response = core.white_response,
+               .chroma_scale = core.chroma_scale,
+               .cones_from_xyz = core.cones_from_xyz,
+               .xyz_from_cones = 100 / core.f_l * steps::kCat02.inverse() *
+                                 core.gain.cwiseInverse().asDiagonal() *
+                                 steps::kConesFromCat02.inverse()};
   require(a.white_response > 0 && std::isfinite(a.white_response),
           "achromatic response A_w of the white must be above 0", a.white_response);
-  const auto& [f, c, n_c] = view.surround;
-  a.chroma_scale = 50000.0 / 13 * n_c * a.background_induction;
   a.brightness_scale = 4 / c * (a.white_response + 4) * a.f_l_4th;
   a.saturation_scale = 50 * std::sqrt(c / (a.white_response + 4));
   return a;
 }
 
 Correlates ciecam02_forward(const RelativeXyz& sample, const Adaptation& a) {
-  const Vector3d cones = a.cones_from_xyz * vector(sample);
-  const Vector3d r = compressed(cones);
-  const Opponent o = opponent(r);
-  const double response = a.background_induction * achromatic(r);  // A
-  const double denominator = r[0] + r[1] + 1.05 * r[2] + kNoise;   // of t
-  const Status status{.negative_cone = cones.minCoeff() < 0,
-                      .negative_achromatic = response < 0,
-                      .no_chroma_denominator = denominator <= 0};
-
-  // root_j = sqrt(J / 100). What stays undefined is 0 here, and so is all that follows from it.
-  const double root_j = status.negative_achromatic
-                            ? 0
-                            : positive_power(response / a.white_response, a.lightness_exponent / 2);
-  const double t = a.chroma_scale * eccentricity(o.cos_h, o.sin_h) * o.strength / denominator;
-  const double alpha = status.all_defined() ? positive_power(t, 0.9) * a.chroma_factor : 0;
-  if (!std::isfinite(root_j * root_j + alpha)) {
+  const steps::Seen<double> s = steps::seen<double>(vector(sample), a);
+  if (!std::isfinite(s.root_j * s.root_j + s.alpha)) {
     throw std::domain_error(fmt::format("CIECAM02: the sample X {} Y {} Z {} is beyond all numbers",
                                         sample.x, sample.y, sample.z));
   }
-  return correlates(status, root_j, alpha, o, a);
+  const Status status{.negative_cone = s.negative_cone,
+                      .negative_achromatic = !s.has_lightness(),
+                      .no_chroma_denominator = s.denominator <= 0};
+  return correlates(status, s.root_j, s.alpha, s.hue, a);
 }
 
 RelativeXyz ciecam02_inverse(const LightnessChromaHue& wished, const Adaptation& a) {
@@ -216,11 +158,11 @@ RelativeXyz ciecam02_inverse(const LightnessChromaHue& wished, const Adaptation&
                     a.background_induction;  // A / N_bb
   const double cos_h = std::cos(hue_deg / kDegreesPerRadian);
   const double sin_h = std::sin(hue_deg / kDegreesPerRadian);
-  const double p1 = a.chroma_scale * eccentricity(cos_h, sin_h);
+  const double p1 = a.chroma_scale * steps::eccentricity(cos_h, sin_h);
   // Where the denominator is not positive, no response however strong gives so much chroma.
   const double denominator = 23 * p1 + 11 * t * cos_h + 108 * t * sin_h;
   if (!(denominator > 0)) throw no_stimulus();
-  const double gamma = 23 * (p2 + kNoise) * t / denominator;
+  const double gamma = 23 * (p2 + steps::kNoise) * t / denominator;
   const double red_green = gamma * cos_h, yellow_blue = gamma * sin_h;
 
   const Vector3d r = Vector3d(460 * p2 + 451 * red_green + 288 * yellow_blue,

@@ -19,6 +19,15 @@ struct ViewedLight {
 /// The room as the paint sees it: the reflectance of the painted surfaces in, the viewed light out.
 using RoomResponse = std::function<ViewedLight(const Spectrum& reflectance)>;
 
+/// The viewed light and, band by band, its derivative by the reflectance of the paint in that band
+/// (light in one band depends on that band's reflectance alone).
+struct ViewedLightSlope {
+  ViewedLight light;
+  ViewedLight by_reflectance;
+};
+
+using RoomResponseSlope = std::function<ViewedLightSlope(const Spectrum& reflectance)>;
+
 /// How viewing conditions are read from the lit room [Neumann2004] 2.4, 3.6, 4.4, Table 5.
 enum class Surround { neumann, cie, illuminance, average, dim, dark };
 enum class Background { ring, sample };  ///< sample: the paper's shortcut, Y_b = Y of the wall
