@@ -67,7 +67,7 @@ std::vector<BatchRoom> plan_batch(const RankCommand& command) {
 /// @throws spectra::FileError, spectra::InputError
 bool wants_rank(const fs::path& path) {
   const scenes::Room room = scenes::read_room(path.string());
-  return room.paint && room.paint->target;
+  return std::ranges::any_of(room.paint, [](const auto& p) { return p.target.has_value(); });
 }
 
 /// What a record says at a JSON pointer; null if it says nothing there.

@@ -151,21 +151,42 @@ std::string paint_name(const paints::Atlas& atlas, const paints::Paint& paint) {
 }
 
 std::string ranking_csv(const paints::Ranking& ranking, const paints::Atlas& atlas,
-                        const paints::Target& target, int top) {
+                        const paints::Target& target, int top, const std::vector<double>& solved) {
   CsvText csv(
       "rank,paint,distance,J,a_C,b_C,C,h_deg,H,dJ,da_C,db_C,x,y,label,hue_composition,status,"
-      "spectrum");
-  const int count = std::min(top, static_cast<int>(ranking.paints.size()));
-  for (int i = 0; i < count; ++i) {
-    const paints::RankedPaint& ranked = ranking.paints[static_cast<std::size_t>(i)];
-    const appearance::Correlates& k = ranked.correlates;
-    csv.cell(i + 1).cell(paint_name(atlas, *ranked.paint)).cell(ranked.distance);
+      "spectrum,distance_solved,inconstancy");
+  const auto count = std::min(static_cast<std::size_t>(top), ranking.paints.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const paints::RankedPaint& ranked = ranking.paints[i];
+    const paints::SeenPaint& seen = ranked.seen.front();
+    const appearance::Correlates& k = seen.correlates;
+    csv.cell(static_cast<int>(i) + 1).cell(paint_name(atlas, *ranked.paint)).cell(ranked.distance);
     csv.cell(k.lightness).cell(k.a_c).cell(k.b_c);
     csv.cell(k.chroma).cell(k.hue_deg).cell(k.hue_quadrature);
     csv.cell(k.lightness - target.lightness).cell(k.a_c - target.a_c).cell(k.b_c - target.b_c);
-    csv.cell(ranked.chromaticity.x).cell(ranked.chromaticity.y);
+    csv.cell(seen.chromaticity.x).cell(seen.chromaticity.y);
     csv.cell(ranked.paint->label).cell(appearance::hue_composition(k.hue_quadrature));
-    csv.cell(appearance::to_string(k.status)).cell(spectrum_kind(atlas.reconstructed)).end_row();
+    csv.cell(appearance::to_string(k.status)).cell(spectrum_kind(atlas.reconstructed));
+    csv.cell(i < solved.size() ? std::optional(solved[i]) : std::nullopt);
+    csv.cell(ranked.inconstancy).end_row();
+  }
+  return csv.take();
+}
+
+std::string scenarios_csv(const paints::Ranking& ranking, const paints::Atlas& atlas,
+                          const std::vector<spectra::LitRoom>& rooms, int top) {
+  CsvText csv("rank,paint,scenario,weight,distance,J,a_C,b_C,C,h_deg,H,x,y,illuminance_lx");
+  const auto count = std::min(static_cast<std::size_t>(top), ranking.paints.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t l = 0; l < rooms.size(); ++l) {
+      const paints::SeenPaint& seen = ranking.paints[i].seen[l];
+      const appearance::Correlates& k = seen.correlates;
+      csv.cell(static_cast<int>(i) + 1).cell(paint_name(atlas, *ranking.paints[i].paint));
+      csv.cell(rooms[l].name).cell(rooms[l].weight).cell(seen.distance);
+      csv.cell(k.lightness).cell(k.a_c).cell(k.b_c).cell(k.chroma).cell(k.hue_deg);
+      csv.cell(k.hue_quadrature).cell(seen.chromaticity.x).cell(seen.chromaticity.y);
+      csv.cell(seen.view.illuminance_lx).end_row();
+    }
   }
   return csv.take();
 }

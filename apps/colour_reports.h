@@ -42,8 +42,14 @@ struct Shift {
 /// "munsell-nickerson:117", as a room file would name it; a paint of an atlas file by its own name.
 [[nodiscard]] std::string paint_name(const paints::Atlas& atlas, const paints::Paint& paint);
 
-/// ranking.csv: the first `top` paints, compared with the target.
+/// ranking.csv: the first `top` paints, compared with the target; correlates of the first lighting.
+/// @param solved  distances of the best by full solves
 [[nodiscard]] std::string ranking_csv(const paints::Ranking& ranking, const paints::Atlas& atlas,
-                                      const paints::Target& target, int top);
+                                      const paints::Target& target, int top,
+                                      const std::vector<double>& solved);
+
+/// scenarios.csv: the same paints in every lighting.
+[[nodiscard]] std::string scenarios_csv(const paints::Ranking& ranking, const paints::Atlas& atlas,
+                                        const std::vector<spectra::LitRoom>& rooms, int top);
 
 }  // namespace apps

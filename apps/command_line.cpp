@@ -35,13 +35,24 @@ void add_options(CLI::App& command, RoomOptions& options) {
       ->check(kPositive);
 }
 
-void add_options(CLI::App& command, RankOptions& options) {
+void add_atlas_options(CLI::App& command, RankOptions& options) {
   add_options(command, options.room);
   command.add_option("--atlas", options.atlas,
                      "atlas by name, or a CSV file (default: the room's)");
   command
       .add_option("--top", options.top, "how many of the best are written (default: the room's)")
       ->check(CLI::Range(1, 1000000));
+  command.add_option("--response", options.response,
+                     "file of the room response, read if it fits the room, else written (default: "
+                     "response.json in the folder)");
+}
+
+void add_options(CLI::App& command, RankOptions& options) {
+  add_atlas_options(command, options);
+  command
+      .add_option("--resolve-top", options.resolve_top,
+                  "how many of the best are checked by full solves (default 10)")
+      ->check(CLI::Range(0, 1000000));
   command
       .add_option("--max-dJ", options.windows.lightness,
                   "leave out paints whose swatch differs more than this in lightness")
@@ -116,6 +127,16 @@ void add_rank_commands(CLI::App& program, CommandLine& line) {
   rank.app().add_option("ROOM", ranked->rooms, "room file with paint.target")->required();
   add_out(rank.app(), ranked->out);
   add_options(rank.app(), ranked->options);
+
+  Subcommand inverse(program, "inverse",
+                     "The smoothest reflectance that looks in the room exactly like the target on "
+                     "the swatch, in every scenario, or the nearest: reflectance.csv, inverse.csv, "
+                     "appearance.csv; and the paints nearest to it: ranking.csv",
+                     "scenes/rooms/office.json --out out/inverse");
+  const auto inverted = inverse.runs(invert_room, line);
+  inverse.app().add_option("ROOM", inverted->rooms, "room file with paint.target")->required();
+  add_out(inverse.app(), inverted->out);
+  add_atlas_options(inverse.app(), inverted->options);
 
   Subcommand batch(program, "batch",
                    "Many rooms, a folder each and summary.csv; goes on past bad rooms, resumes",

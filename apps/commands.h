@@ -32,6 +32,7 @@ Exit check_room(const RoomCommand& command, const Session& session);
 Exit solve_room(const RoomCommand& command, const Session& session);
 Exit shift_room(const RoomCommand& command, const Session& session);
 Exit rank_room(const RankCommand& command, const Session& session);
+Exit invert_room(const RankCommand& command, const Session& session);
 Exit batch_rooms(const RankCommand& command, const Session& session);
 Exit convert_table(const FileCommand& command, const Session& session);
 Exit solve_cube(const FileCommand& command, const Session& session);

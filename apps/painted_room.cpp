@@ -1,32 +1,111 @@
 #include "apps/painted_room.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <memory>
 
 namespace apps {
 
-PaintedRoom::PaintedRoom(const RoomRun& run, const solver::RadiosityOptions& options, int paints)
-    : run_(run), options_(options), progress_("paints", paints) {}
+PaintedRoom::PaintedRoom(RoomRun& run, const RankOptions& options, const std::filesystem::path& out,
+                         double highest_reflectance)
+    : run_(run),
+      options_(options),
+      out_(out),
+      file_(options.response.empty() ? out / "response.json"
+                                     : std::filesystem::path(options.response)),
+      key_(response_key(run.room, options.room)) {
+  require_writable(out);
+  if (auto known = load_response(file_, key_);
+      known && known->room.highest_reflectance >= highest_reflectance) {
+    views_ = std::move(*known);
+    loaded_ = true;
+    run_.clock.stop("response");
+    return;
+  }
+  need_transport();
+  views_ =
+      solver::reduce_views(run_.room, run_.transport, {.highest_reflectance = highest_reflectance});
+  run_.clock.stop("response");
+}
 
-solver::RoomSolution PaintedRoom::solve(const spectra::Spectrum& paint) {
-  solver::RoomSolution solution = solver::solve_room(run_.room, run_.transport, options_, &paint);
+void PaintedRoom::need_transport() {
+  if (prepared_) return;
+  prepare(run_, options_.room, out_);
+  prepared_ = true;
+}
+
+std::vector<spectra::LitRoom> PaintedRoom::rooms(
+    int varying, int viewed, const std::vector<spectra::Spectrum>& paints) const {
+  const auto response =
+      std::make_shared<const solver::RoomResponse>(views_, varying, viewed, paints);
+  std::vector<spectra::LitRoom> rooms;
+  for (std::size_t l = 0; l < response->lightings(); ++l) {
+    rooms.push_back({.view = [response, l](const spectra::Spectrum& paint) {
+      return response->light(paint, l);
+    }});
+    if (run_.room.scenarios.empty()) continue;
+    rooms.back().name = run_.room.scenarios[l].name;
+    rooms.back().weight = run_.room.scenarios[l].weight;
+  }
+  return rooms;
+}
+
+std::vector<spectra::RoomResponseSlope> PaintedRoom::slopes(
+    int varying, int viewed, const std::vector<spectra::Spectrum>& paints) const {
+  const auto response =
+      std::make_shared<const solver::RoomResponse>(views_, varying, viewed, paints);
+  std::vector<spectra::RoomResponseSlope> slopes;
+  for (std::size_t l = 0; l < response->lightings(); ++l) {
+    slopes.emplace_back(
+        [response, l](const spectra::Spectrum& paint) { return response->slope(paint, l); });
+  }
+  return slopes;
+}
+
+std::vector<spectra::LitRoom> PaintedRoom::solved_rooms() {
+  std::vector<spectra::LitRoom> rooms = this->rooms();
+  for (std::size_t l = 0; l < rooms.size(); ++l) {
+    rooms[l].view = [this, l](const spectra::Spectrum& paint) {
+      return solver::viewed_light(run_.room, run_.transport, solve({paint}, l));
+    };
+  }
+  return rooms;
+}
+
+solver::RoomSolution PaintedRoom::solve(const std::vector<spectra::Spectrum>& paints,
+                                        std::size_t lighting) {
+  need_transport();
+  const std::size_t first_scenario = run_.room.scenarios.empty() ? 0 : 1;
+  solver::RoomSolution solution =
+      solver::solve_room(run_.room, run_.transport, options_.room.radiosity,
+                         {.lighting = first_scenario + lighting, .paints = paints});
   ++solves_;
   not_converged_ += solution.radiosity.converged ? 0 : 1;
-  for (const solver::BandReport& band : solution.radiosity.bands) {
-    most_iterations_ = std::max(most_iterations_, band.iterations);
-  }
   return solution;
 }
 
-spectra::ViewedLight PaintedRoom::view(const spectra::Spectrum& paint) {
-  const solver::RoomSolution solution = solve(paint);
-  progress_.step();
-  return solver::viewed_light(run_.room, run_.transport, solution);
-}
+bool PaintedRoom::converged() const { return not_converged_ == 0 && views_.room.converged; }
 
 Json PaintedRoom::record() const {
-  return {{"solves", solves_},
-          {"not_converged", not_converged_},
-          {"most_iterations", most_iterations_}};
+  const solver::ReducedRoom& room = views_.room;
+  std::size_t vectors = 0;
+  for (const auto& t : room.transfers) vectors = std::max(vectors, t.group.size());
+  return {{"file", file_.string()},
+          {"key", key_},
+          {"loaded", loaded_},
+          {"solves", room.solves},
+          {"held_out_solves", room.held_out},
+          {"largest_relative_error", room.largest_error},
+          {"highest_reflectance", room.highest_reflectance},
+          {"basis_vectors", vectors},
+          {"converged", room.converged},
+          {"full_solves", solves_},
+          {"full_solves_not_converged", not_converged_}};
+}
+
+std::vector<OutputFile> PaintedRoom::files() const {
+  if (loaded_) return {};
+  return {response_file(file_, key_, views_)};
 }
 
 Seen seen_in_room(const appearance::RoomView& view) {

@@ -1,31 +1,61 @@
 #pragma once
+#include <filesystem>
+#include <vector>
+
 #include "apps/colour_reports.h"
+#include "apps/response_file.h"
 #include "apps/room_run.h"
-#include "apps/terminal.h"
 
 namespace apps {
 
-/// A prepared room that is solved paint by paint; keeps count of what the solver said.
+/// A room as a function of its paints: by its response, which is kept in a file between runs, and
+/// by full solves that the response is checked with.
 class PaintedRoom {
  public:
-  /// `paints` is the number of views expected, for the progress line.
-  PaintedRoom(const RoomRun& run, const solver::RadiosityOptions& options, int paints);
+  /// Loads the response or makes it, for reflectances up to `highest_reflectance`.
+  /// @throws spectra::FileError   if nothing can be written to `out`
+  /// @throws spectra::InputError, solver::TooLarge
+  PaintedRoom(RoomRun& run, const RankOptions& options, const std::filesystem::path& out,
+              double highest_reflectance);
 
-  [[nodiscard]] solver::RoomSolution solve(const spectra::Spectrum& paint);
+  /// The lightings of the room as the viewer of one group sees them while one group's paint varies.
+  /// @param paints  of each group; that of `varying` is not read; empty for a single group
+  [[nodiscard]] std::vector<spectra::LitRoom> rooms(
+      int varying = 0, int viewed = 0, const std::vector<spectra::Spectrum>& paints = {}) const;
 
-  /// The response that ranking asks for.
-  [[nodiscard]] spectra::ViewedLight view(const spectra::Spectrum& paint);
+  /// With derivatives, one per lighting.
+  [[nodiscard]] std::vector<spectra::RoomResponseSlope> slopes(
+      int varying = 0, int viewed = 0, const std::vector<spectra::Spectrum>& paints = {}) const;
 
-  [[nodiscard]] bool converged() const { return not_converged_ == 0; }
+  /// The same lightings by a full solve for each paint of a single group.
+  [[nodiscard]] std::vector<spectra::LitRoom> solved_rooms();
 
+  /// A full solve in one of the lightings of `rooms`.
+  [[nodiscard]] solver::RoomSolution solve(const std::vector<spectra::Spectrum>& paints,
+                                           std::size_t lighting = 0);
+
+  [[nodiscard]] bool converged() const;
+
+  /// For run.json.
   [[nodiscard]] Json record() const;
 
+  /// The files to write beside the results: the response, if it was made anew.
+  [[nodiscard]] std::vector<OutputFile> files() const;
+
  private:
-  const RoomRun& run_;
-  solver::RadiosityOptions options_;
-  Progress progress_;
-  int solves_ = 0, not_converged_ = 0, most_iterations_ = 0;
+  void need_transport();
+
+  RoomRun& run_;
+  const RankOptions& options_;
+  std::filesystem::path out_, file_;
+  std::string key_;
+  solver::ReducedViews views_;
+  bool loaded_ = false, prepared_ = false;
+  int solves_ = 0, not_converged_ = 0;
 };
+
+/// The highest reflectance that a response is made for, unless a paint has a higher one.
+inline constexpr double kHighestReflectance = 0.9995;
 
 [[nodiscard]] Seen seen_in_room(const appearance::RoomView& view);
 [[nodiscard]] Seen seen_on_swatch(const spectra::Spectrum& reflectance);

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <variant>
 
 #include "apps/commands.h"
+#include "apps/paint_wish.h"
 #include "apps/painted_room.h"
+#include "apps/scheme.h"
+#include "apps/terminal.h"
 #include "paints/atlas_file.h"
 
 namespace apps {
@@ -13,58 +17,34 @@ namespace {
 
 constexpr std::size_t kTableRows = 10;
 
-const scenes::TargetColour& target_of(const RoomRun& run) {
-  if (!run.room.paint || !run.room.paint->target) {
-    throw room_fault(run, "/paint/target", "is missing, and rank needs it",
-                     "say which colour is wished, e.g. { \"paint\": \"munsell-nickerson:231\" }");
-  }
-  return *run.room.paint->target;
-}
-
-paints::Target wished(const RoomRun& run, const scenes::TargetColour& target) {
-  if (const auto* reflectance = std::get_if<spectra::Spectrum>(&target.colour)) {
-    const appearance::Correlates correlates = seen_on_swatch(*reflectance).correlates;
-    if (!correlates.status.all_defined()) {
-      throw room_fault(run, "/paint/target", "CIECAM02 does not define how this swatch looks",
-                       "choose a less saturated target");
-    }
-    return paints::target_of(correlates);
-  }
-  const auto& jch = std::get<Eigen::Vector3d>(target.colour);
-  return paints::target_of(
-      appearance::LightnessChromaHue{.lightness = jch[0], .chroma = jch[1], .hue_deg = jch[2]});
-}
-
-void require_painted_view(const RoomRun& run) {
-  const solver::ViewedPoint at = viewed_point(run);
-  const std::vector<int>& painted = run.room.paint->surfaces;
-  if (std::find(painted.begin(), painted.end(), at.surface) == painted.end()) {
-    throw room_fault(run, "/view",
-                     fmt::format("looks at \"{}\", which is not painted", surface_name(run, at)),
-                     "look at one of paint.surfaces, or leave the view out");
-  }
+paints::RankingOptions ranking_options(const RoomRun& run, const RankOptions& options) {
+  return {.windows = options.windows,
+          .distance = options.distance,
+          .viewing = run.room.viewing,
+          .judgement = run.room.judgement};
 }
 
 /// @throws spectra::InputError  if the room leaves the viewer without light
-paints::Ranking rank_in(PaintedRoom& painted, const RoomRun& run, const paints::Atlas& atlas,
-                        const paints::Target& wish, const RankOptions& options) {
+paints::Ranking rank_in(const RoomRun& run, const std::vector<spectra::LitRoom>& rooms,
+                        const paints::Atlas& atlas, const paints::Target& wish,
+                        const RankOptions& options) {
   try {
-    return paints::rank(
-        atlas, wish, [&](const spectra::Spectrum& paint) { return painted.view(paint); },
-        {.windows = options.windows, .distance = options.distance, .viewing = run.room.viewing});
+    return paints::rank(atlas, wish, rooms, ranking_options(run, options));
   } catch (const std::domain_error& error) {
     throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
   }
 }
 
-/// The target's own spectrum, then the `top` best paints, each on the swatch and in the room.
-std::vector<Shift> shifts_of(const RoomRun& run, PaintedRoom& painted,
+/// The target's own spectrum, then the `top` best paints, each on the swatch and in the room, in
+/// the first lighting.
+std::vector<Shift> shifts_of(const RoomRun& run, const spectra::LitRoom& room,
                              const paints::Ranking& ranking, const paints::Atlas& atlas, int top) {
-  const std::string& surface = surface_name(run, run.transport.viewed);
-  const scenes::TargetColour& target = *run.room.paint->target;
+  const std::string& surface = surface_name(run, viewed_point(run));
+  const scenes::TargetColour& target = *run.room.paint.front().target;
   std::vector<Shift> shifts;
   if (const auto* reflectance = std::get_if<spectra::Spectrum>(&target.colour)) {
-    const appearance::RoomView view = view_of(run, painted.solve(*reflectance));
+    const appearance::RoomView view =
+        appearance::view_of_room(room.view(*reflectance), run.room.viewing);
     shifts.push_back({.paint = target.name,
                       .surface = surface,
                       .swatch = seen_on_swatch(*reflectance),
@@ -76,9 +56,37 @@ std::vector<Shift> shifts_of(const RoomRun& run, PaintedRoom& painted,
                       .surface = surface,
                       .reconstructed = atlas.reconstructed,
                       .swatch = seen_on_swatch(ranked.paint->reflectance),
-                      .room = {ranked.view.sample, ranked.correlates}});
+                      .room = {ranked.seen.front().view.sample, ranked.seen.front().correlates}});
   }
   return shifts;
+}
+
+/// The winners by full solves: what the response got wrong about them.
+struct Resolved {
+  std::vector<double> distance;   ///< of the best paints, in the order of the ranking
+  double largest_difference = 0;  ///< |distance - solved distance|
+  bool same_order = true;
+};
+
+Resolved resolve(const RoomRun& run, const std::vector<spectra::LitRoom>& solved,
+                 const paints::Ranking& ranking, const paints::Target& wish,
+                 const RankOptions& options) {
+  Resolved resolved;
+  const std::size_t count =
+      std::min(ranking.paints.size(), static_cast<std::size_t>(options.resolve_top));
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double> distances;
+    for (const paints::SeenPaint& seen : paints::look(ranking.paints[i].paint->reflectance, wish,
+                                                      solved, options.distance, run.room.viewing)) {
+      distances.push_back(seen.distance);
+    }
+    resolved.distance.push_back(paints::judged(run.room.judgement, distances, solved));
+    resolved.largest_difference =
+        std::max(resolved.largest_difference,
+                 std::abs(resolved.distance.back() - ranking.paints[i].distance));
+  }
+  resolved.same_order = std::ranges::is_sorted(resolved.distance);
+  return resolved;
 }
 
 /// The last `count` shifts are those of the best paints.
@@ -89,12 +97,12 @@ std::string best_table(const paints::Ranking& ranking, const std::vector<Shift>&
                                               "hue swatch -> room"}};
   for (std::size_t i = 0; i < std::min(count, kTableRows); ++i) {
     const paints::RankedPaint& ranked = ranking.paints[i];
+    const appearance::Correlates& seen = ranked.seen.front().correlates;
     const Shift& shift = shifts[shifts.size() - count + i];
-    rows.push_back(
-        {fmt::format("{}", i + 1), shift.paint, ranked.paint->label,
-         fmt::format("{:.2f}", ranked.distance), fmt::format("{:.1f}", ranked.correlates.lightness),
-         fmt::format("{:.1f}", ranked.correlates.a_c), fmt::format("{:.1f}", ranked.correlates.b_c),
-         chroma_arrow(shift), hue_arrow(shift)});
+    rows.push_back({fmt::format("{}", i + 1), shift.paint, ranked.paint->label,
+                    fmt::format("{:.2f}", ranked.distance), fmt::format("{:.1f}", seen.lightness),
+                    fmt::format("{:.1f}", seen.a_c), fmt::format("{:.1f}", seen.b_c),
+                    chroma_arrow(shift), hue_arrow(shift)});
   }
   return table("><<>>>>>>", rows);
 }
@@ -131,10 +139,39 @@ Json describe_ranking(const paints::Ranking& ranking, const paints::Atlas& atlas
           {"best", best}};
 }
 
-/// How the room with the best paint was solved and viewed.
-void record_best(RoomRun& run, PaintedRoom& painted, const paints::RankedPaint& best) {
-  run.record["solution"] = describe(painted.solve(best.paint->reflectance), run.room);
-  run.record["viewing"] = describe(best.view, run.room, run.transport.viewed);
+/// How the room with the best paint was solved and viewed, in the first lighting.
+void record_best(RoomRun& run, PaintedRoom& painted, const paints::RankedPaint& best,
+                 bool by_solve) {
+  if (by_solve) {
+    run.record["solution"] = describe(painted.solve({best.paint->reflectance}), run.room);
+  }
+  run.record["viewing"] = describe(best.seen.front().view, run.room, viewed_point(run));
+}
+
+/// Of the listed paints, those whose look differs least between the lightings.
+Json most_constant(const paints::Ranking& ranking, const paints::Atlas& atlas, int top) {
+  constexpr std::size_t kNamed = 5;
+  const auto listed = std::min(static_cast<std::size_t>(top), ranking.paints.size());
+  std::vector<const paints::RankedPaint*> paints;
+  for (std::size_t i = 0; i < listed; ++i) paints.push_back(&ranking.paints[i]);
+  std::ranges::stable_sort(paints, {}, &paints::RankedPaint::inconstancy);
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(kNamed, paints.size()); ++i) {
+    list.push_back({{"paint", paint_name(atlas, *paints[i]->paint)},
+                    {"inconstancy", paints[i]->inconstancy},
+                    {"distance", paints[i]->distance}});
+  }
+  return list;
+}
+
+std::string constancy_text(const Json& constant) {
+  std::string text = "\nof these, the looks that change least from lighting to lighting:\n";
+  for (const Json& paint : constant) {
+    text +=
+        fmt::format("  {}  changes by {:.2f}, distance {:.2f}\n", paint["paint"].get<std::string>(),
+                    paint["inconstancy"].get<double>(), paint["distance"].get<double>());
+  }
+  return text;
 }
 
 void talk_about(const paints::Ranking& ranking, const paints::Atlas& atlas) {
@@ -157,39 +194,55 @@ void talk_about(const paints::Ranking& ranking, const paints::Atlas& atlas) {
 RunResult run_rank(const std::string& path, const RankOptions& options,
                    const std::filesystem::path& out, const Session& session) {
   RoomRun run = open_room(path, "rank", to_json(options), session);
+  if (run.room.paint.size() > 1) return rank_schemes(run, options, out);
   const scenes::TargetColour& target = target_of(run);
   const paints::Target wish = wished(run, target);
   const paints::Atlas atlas = paints::load_atlas(
-      options.atlas.empty() ? run.room.paint->atlas : options.atlas, run.room.grid);
+      options.atlas.empty() ? run.room.paint.front().atlas : options.atlas, run.room.grid);
   run.clock.stop("atlas");
   require_painted_view(run);
-  prepare(run, options.room, out);
 
-  PaintedRoom painted(run, options.room.radiosity, static_cast<int>(atlas.paints.size()));
-  const paints::Ranking ranking = rank_in(painted, run, atlas, wish, options);
+  PaintedRoom painted(run, options, out, highest_reflectance(atlas, target));
+  const std::vector<spectra::LitRoom> rooms = painted.rooms();
+  const paints::Ranking ranking = rank_in(run, rooms, atlas, wish, options);
   run.clock.stop("rank");
+  const Resolved resolved = resolve(run, painted.solved_rooms(), ranking, wish, options);
+  run.clock.stop("resolve");
   talk_about(ranking, atlas);
 
-  const int top = options.top > 0 ? options.top : run.room.paint->top;
-  const std::vector<Shift> shifts = shifts_of(run, painted, ranking, atlas, top);
+  const int top = options.top > 0 ? options.top : run.room.paint.front().top;
+  const std::vector<Shift> shifts = shifts_of(run, rooms.front(), ranking, atlas, top);
   run.record["ranking"] = describe_ranking(ranking, atlas, wish);
-  if (!ranking.paints.empty()) record_best(run, painted, ranking.paints.front());
-  run.record["ranking"]["solver"] = painted.record();
+  if (!ranking.paints.empty()) {
+    record_best(run, painted, ranking.paints.front(), options.resolve_top > 0);
+  }
+  run.record["ranking"]["resolved"] = {{"paints", resolved.distance.size()},
+                                       {"largest_difference", resolved.largest_difference},
+                                       {"same_order", resolved.same_order}};
+  run.record["response"] = painted.record();
+  const Json constant = most_constant(ranking, atlas, top);
+  if (rooms.size() > 1) run.record["ranking"]["most_constant"] = constant;
   run.clock.stop("report");
 
-  RunResult result =
-      finish(run, painted.converged(),
-             {{.path = out / "ranking.csv", .text = ranking_csv(ranking, atlas, wish, top)},
-              {.path = out / "shift.csv", .text = shift_csv(shifts)}},
-             out);
+  std::vector<OutputFile> files{{.path = out / "ranking.csv",
+                                 .text = ranking_csv(ranking, atlas, wish, top, resolved.distance)},
+                                {.path = out / "shift.csv", .text = shift_csv(shifts)}};
+  if (rooms.size() > 1) {
+    files.push_back(
+        {.path = out / "scenarios.csv", .text = scenarios_csv(ranking, atlas, rooms, top)});
+  }
+  for (OutputFile& file : painted.files()) files.push_back(std::move(file));
+  RunResult result = finish(run, painted.converged(), std::move(files), out);
   const auto count = std::min(static_cast<std::size_t>(top), ranking.paints.size());
   result.text = best_table(ranking, shifts, count);
+  if (rooms.size() > 1) result.text += constancy_text(constant);
   result.data = {{"status", result.record["status"]},
                  {"folder", out.string()},
                  {"target", result.record["ranking"]["target"]},
                  {"rejected_by_windows", ranking.rejected},
                  {"undefined", ranking.undefined},
                  {"paints", best_list(ranking, shifts, count)}};
+  if (rooms.size() > 1) result.data["most_constant"] = constant;
   return result;
 }
 

@@ -46,6 +46,7 @@ Json to_json(const RankOptions& options) {
   Json json = to_json(options.room);
   json["atlas"] = options.atlas.empty() ? Json() : Json(options.atlas);
   json["top"] = options.top > 0 ? Json(options.top) : Json();
+  json["resolve_top"] = options.resolve_top;
   json["max_dJ"] = to_json(options.windows.lightness);
   json["max_dC"] = to_json(options.windows.chroma);
   json["max_dh_deg"] = to_json(options.windows.hue_deg);

@@ -19,8 +19,10 @@ struct RoomOptions {
 /// How the paints of an atlas are ranked in a room.
 struct RankOptions {
   RoomOptions room;
-  std::string atlas;  ///< name or file; empty: the room's own
-  int top = 0;        ///< 0: the room's own
+  std::string atlas;     ///< name or file; empty: the room's own
+  int top = 0;           ///< 0: the room's own
+  int resolve_top = 10;  ///< of the best, as many are checked by full solves
+  std::string response;  ///< file of the room response; empty: response.json beside the results
   paints::Windows windows;
   paints::Distance distance = paints::Distance::jab;
 };

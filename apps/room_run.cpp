@@ -2,18 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "scenes/room_json.h"
 
 namespace apps {
-namespace {
-
-constexpr double kNoCut_m = 1e9;  // a patch edge longer than any room: faces stay whole
-
-}  // namespace
-
 void StageClock::stop(const std::string& stage) {
   const auto now = std::chrono::steady_clock::now();
   seconds_[stage] += std::chrono::duration<double>(now - last_).count();
@@ -38,10 +33,14 @@ RoomRun open_room(const std::string& path, const std::string& subcommand, const 
   return run;
 }
 
-void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::path& out) {
+void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::path& out,
+             std::vector<solver::ViewedPoint> views) {
   require_writable(out);
-  (void)viewed_point(run);  // if nothing can be looked at, say so before the long work
-  run.transport = solver::prepare_transport(run.room, {.patch_m = options.patch_m});
+  for (std::size_t g = views.size(); g < std::max<std::size_t>(1, run.room.paint.size()); ++g) {
+    views.push_back(viewed_point(run, g));  // if nothing can be looked at, say so before long work
+  }
+  run.transport =
+      solver::prepare_transport(run.room, {.patch_m = options.patch_m, .views = std::move(views)});
   run.clock.stop("transport");
   run.record["transport"] = describe(run.transport);
 }
@@ -56,18 +55,20 @@ spectra::InputError room_fault(const RoomRun& run, const std::string& pointer,
                                .remedy = remedy}});
 }
 
-appearance::RoomView view_of(const RoomRun& run, const solver::RoomSolution& solution) {
+appearance::RoomView view_of(const RoomRun& run, const solver::RoomSolution& solution,
+                             std::size_t viewed) {
   try {
-    const spectra::ViewedLight light = solver::viewed_light(run.room, run.transport, solution);
+    const spectra::ViewedLight light =
+        solver::viewed_light(run.room, run.transport, solution, viewed);
     return appearance::view_of_room(light, run.room.viewing);
   } catch (const std::domain_error& error) {
     throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
   }
 }
 
-solver::ViewedPoint viewed_point(const RoomRun& run) {
+solver::ViewedPoint viewed_point(const RoomRun& run, std::size_t group) {
   try {
-    return solver::viewed_point(run.room, scenes::mesh_room(run.room, kNoCut_m));
+    return solver::viewed_point(run.room, group);
   } catch (const std::invalid_argument& error) {
     throw room_fault(run, "/view", error.what(), "give a view that meets a painted surface");
   }

@@ -43,20 +43,22 @@ struct RoomRun {
 /// Builds mesh, exchange areas and gather rows, once the room is known to be fit for the job.
 /// @throws spectra::FileError  if nothing can be written to `out`
 /// @throws spectra::InputError, solver::TooLarge
-void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::path& out);
+/// @param views  the points to look at; empty: that of each painted group
+void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::path& out,
+             std::vector<solver::ViewedPoint> views = {});
 
 /// A fault of a room file that only the subcommand at hand minds.
 [[nodiscard]] spectra::InputError room_fault(const RoomRun& run, const std::string& pointer,
                                              const std::string& problem, const std::string& remedy);
 
-/// How the viewed point of a solved room looks.
+/// How one of the viewed points of a solved room looks.
 /// @throws spectra::InputError  if there is no light to view it by
-[[nodiscard]] appearance::RoomView view_of(const RoomRun& run,
-                                           const solver::RoomSolution& solution);
+[[nodiscard]] appearance::RoomView view_of(const RoomRun& run, const solver::RoomSolution& solution,
+                                           std::size_t viewed = 0);
 
-/// The point that is looked at, found without a fine mesh.
+/// The point of a painted group that is looked at.
 /// @throws spectra::InputError  if nothing can be looked at
-[[nodiscard]] solver::ViewedPoint viewed_point(const RoomRun& run);
+[[nodiscard]] solver::ViewedPoint viewed_point(const RoomRun& run, std::size_t group = 0);
 
 /// The name of the surface that it lies on.
 [[nodiscard]] const std::string& surface_name(const RoomRun& run, const solver::ViewedPoint& at);

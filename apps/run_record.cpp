@@ -92,7 +92,8 @@ Json describe(const solver::RoomTransport& transport) {
   return {{"plan", describe(transport.plan)},
           {"closure_defect", transport.closure_defect},
           {"reciprocity_defect", transport.reciprocity_defect},
-          {"largest_scaling", transport.largest_scaling}};
+          {"largest_scaling", transport.largest_scaling},
+          {"direct_light_scaling", transport.lightings.front().direct_scaling}};
 }
 
 Json describe(const solver::RoomSolution& solution, const scenes::Room& room) {

@@ -8,26 +8,19 @@
 namespace apps {
 namespace {
 
-/// A point of each painted surface: what the room's view meets, or the default view of the surface.
+/// A point of each painted surface: what a group's view meets, or the default view of the surface.
 std::vector<solver::ViewedPoint> views_of(const RoomRun& run) {
   std::vector<solver::ViewedPoint> views;
-  const solver::ViewedPoint chosen = viewed_point(run);
-  for (const int surface : run.room.paint->surfaces) {
-    RoomRun alone{.path = run.path, .room = run.room};
-    alone.room.paint->surfaces = {surface};
-    alone.room.view.reset();
-    views.push_back(surface == chosen.surface ? chosen : viewed_point(alone));
+  for (std::size_t g = 0; g < run.room.paint.size(); ++g) {
+    const solver::ViewedPoint chosen = viewed_point(run, g);
+    for (const int surface : run.room.paint[g].surfaces) {
+      RoomRun alone{.path = run.path, .room = run.room};
+      alone.room.paint = {{.surfaces = {surface}}};
+      alone.room.view.reset();
+      views.push_back(surface == chosen.surface ? chosen : viewed_point(alone));
+    }
   }
   return views;
-}
-
-/// The solution as seen at the k-th view, whose light is that of the k-th receiver.
-appearance::RoomView look(RoomRun& run, solver::RoomSolution& solution,
-                          const solver::ViewedPoint& at, std::size_t k) {
-  run.transport.viewed = at;
-  run.transport.view = solver::view_rows(at.eye_m, at.point_m, run.transport.mesh);
-  solution.viewed = solution.receivers[k];
-  return view_of(run, solution);
 }
 
 /// What the room file calls the paint of a surface; the surface's own name where it names none.
@@ -43,17 +36,13 @@ std::string paint_of(const Json& room_file, const scenes::Surface& surface) {
 Exit shift_room(const RoomCommand& command, const Session& session) {
   const std::filesystem::path out = command.out;
   RoomRun run = open_room(command.room, "shift", to_json(command.options), session);
-  if (!run.room.paint) {
+  if (run.room.paint.empty()) {
     throw room_fault(run, "/paint", "is missing, and shift needs it",
                      "name the surfaces, e.g. { \"surfaces\": [\"walls\"] }");
   }
   const std::vector<solver::ViewedPoint> views = views_of(run);
-  run.room.receivers.clear();
-  for (const solver::ViewedPoint& at : views) {
-    run.room.receivers.push_back({surface_name(run, at), at.point_m, at.normal});
-  }
-  prepare(run, command.options, out);
-  solver::RoomSolution solution =
+  prepare(run, command.options, out, views);
+  const solver::RoomSolution solution =
       solver::solve_room(run.room, run.transport, command.options.radiosity);
   run.clock.stop("solve");
   run.record["solution"] = describe(solution, run.room);
@@ -64,7 +53,7 @@ Exit shift_room(const RoomCommand& command, const Session& session) {
   run.record["viewing"] = Json::array();
   for (std::size_t k = 0; k < views.size(); ++k) {
     const auto& surface = run.room.surfaces[static_cast<std::size_t>(views[k].surface)];
-    const appearance::RoomView view = look(run, solution, views[k], k);
+    const appearance::RoomView view = view_of(run, solution, k);
     run.record["viewing"].push_back(describe(view, run.room, views[k]));
     shifts.push_back({.paint = paint_of(room_file, surface),
                       .surface = surface.name,

@@ -36,8 +36,12 @@ RunResult run_solve(const std::string& path, const RoomOptions& options,
       solver::solve_room(run.room, run.transport, options.radiosity);
   run.clock.stop("solve");
   run.record["solution"] = describe(solution, run.room);
-  if (run.room.view || run.room.paint) {
-    run.record["viewing"] = describe(view_of(run, solution), run.room, run.transport.viewed);
+  if (run.room.view || !run.room.paint.empty()) {
+    run.record["viewing"] = Json::array();
+    for (std::size_t v = 0; v < run.transport.viewed.size(); ++v) {
+      run.record["viewing"].push_back(
+          describe(view_of(run, solution, v), run.room, run.transport.viewed[v].at));
+    }
   }
 
   const auto& radiosity = solution.radiosity;

@@ -41,8 +41,8 @@ Levels levels_of(const WishInLight& wish, double white_y, double most) {
   const double scale =
       100 * spectra::kMaxLuminousEfficacy_lm_W * spectra::kTransportGrid.step_nm / white_y;
   for (int i = 0; i <= kLevels; ++i) {
-    const auto [light, by_reflectance] =
-        wish.room(spectra::constant(spectra::kTransportGrid, most * i / kLevels));
+    const auto [light, by_reflectance] = wish.room(
+        spectra::constant(spectra::kTransportGrid, most * (static_cast<double>(i) / kLevels)));
     levels.light.col(i) = scale * light.sample.values;
     levels.slope.col(i) = scale * most / kLevels * by_reflectance.sample.values;
   }

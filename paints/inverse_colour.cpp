@@ -111,7 +111,8 @@ Look minimised(Wishes wishes, const InverseOptions& options, const Penalty& pena
     bool fell = false;
     for (double length = 1; length > 1e-9 && slope < 0 && !fell; length /= 2) {
       // A whole step ends exactly on the bounds that it meets.
-      const VectorXd rho = length == 1 ? best : at.rho + length * step;
+      const VectorXd rho =
+          length == 1 ? best : (at.rho + length * step).cwiseMax(0).cwiseMin(options.most);
       const Look next = look(wishes, options, rho);
       fell = penalty.value(next) <= value + 1e-4 * length * slope && penalty.value(next) < value;
       if (fell) at = next;

@@ -59,28 +59,58 @@ bool rejected(const Paint& paint, const Windows& windows, const Target& target) 
   return swatch.status.all_defined() && !within(windows, swatch, target);
 }
 
-double distance(Distance kind, const Correlates& p, const Target& target) {
-  if (kind == Distance::jab) {
-    return std::hypot(p.lightness - target.lightness, p.a_c - target.a_c, p.b_c - target.b_c);
+/// Largest difference between a paint's looks in two lightings.
+double inconstancy(Distance kind, const std::vector<SeenPaint>& seen) {
+  double largest = 0;
+  for (std::size_t p = 0; p < seen.size(); ++p) {
+    if (!seen[p].correlates.status.all_defined()) continue;
+    const Target look = target_of(seen[p].correlates);
+    for (std::size_t q = 0; q < p; ++q) {
+      largest = std::max(largest, distance(kind, seen[q].correlates, look));
+    }
   }
-  return appearance::ucs_distance(
-      appearance::cam02_ucs({p.lightness, p.colourfulness, p.hue_deg}),
-      appearance::cam02_ucs({target.lightness, target.colourfulness, hue_deg_of(target)}));
+  return largest;
 }
 
-RankedPaint seen_in_room(const Paint& paint, const spectra::ViewedLight& light,
-                         const Target& target, const RankingOptions& options) {
-  const appearance::RoomView view = appearance::view_of_room(light, options.viewing);
-  const Correlates seen =
-      appearance::ciecam02_forward(view.sample, appearance::adapt(view.conditions));
-  return {.paint = &paint,
-          .distance = distance(options.distance, seen, target),
-          .correlates = seen,
-          .view = view,
-          .chromaticity = spectra::chromaticity(view.sample)};
+RankedPaint judge(const Paint& paint, const Target& target,
+                  const std::vector<spectra::LitRoom>& rooms, const RankingOptions& options) {
+  RankedPaint ranked{
+      .paint = &paint,
+      .seen = look(paint.reflectance, target, rooms, options.distance, options.viewing)};
+  std::vector<double> distances;
+  for (const SeenPaint& s : ranked.seen) distances.push_back(s.distance);
+  ranked.distance = judged(options.judgement, distances, rooms);
+  ranked.inconstancy = inconstancy(options.distance, ranked.seen);
+  return ranked;
+}
+
+bool defined(const RankedPaint& ranked) {
+  return std::ranges::all_of(ranked.seen,
+                             [](const SeenPaint& s) { return s.correlates.status.all_defined(); });
 }
 
 }  // namespace
+
+double distance(Distance kind, const Correlates& seen, const Target& target) {
+  if (kind == Distance::jab) {
+    return std::hypot(seen.lightness - target.lightness, seen.a_c - target.a_c,
+                      seen.b_c - target.b_c);
+  }
+  return appearance::ucs_distance(
+      appearance::cam02_ucs({seen.lightness, seen.colourfulness, seen.hue_deg}),
+      appearance::cam02_ucs({target.lightness, target.colourfulness, hue_deg_of(target)}));
+}
+
+double judged(spectra::Judgement judgement, const std::vector<double>& distances,
+              const std::vector<spectra::LitRoom>& rooms) {
+  if (judgement == spectra::Judgement::worst) return *std::ranges::max_element(distances);
+  double sum = 0, weights = 0;
+  for (std::size_t k = 0; k < rooms.size(); ++k) {
+    sum += rooms[k].weight * distances[k];
+    weights += rooms[k].weight;
+  }
+  return sum / weights;
+}
 
 Target target_of(const Correlates& p) {
   if (!p.status.all_defined()) {
@@ -105,25 +135,40 @@ Target target_of(const appearance::LightnessChromaHue& wished) {
 
 std::string to_string(Distance distance) { return distance == Distance::jab ? "jab" : "cam02-ucs"; }
 
-Ranking rank(const Atlas& atlas, const Target& target, const spectra::RoomResponse& room,
+std::vector<SeenPaint> look(const spectra::Spectrum& reflectance, const Target& target,
+                            const std::vector<spectra::LitRoom>& rooms, Distance kind,
+                            const spectra::ViewingChoices& viewing) {
+  std::vector<SeenPaint> all;
+  for (const spectra::LitRoom& room : rooms) {
+    const appearance::RoomView view = appearance::view_of_room(room.view(reflectance), viewing);
+    const Correlates seen =
+        appearance::ciecam02_forward(view.sample, appearance::adapt(view.conditions));
+    all.push_back({.distance = distance(kind, seen, target),
+                   .correlates = seen,
+                   .view = view,
+                   .chromaticity = spectra::chromaticity(view.sample)});
+  }
+  return all;
+}
+
+Ranking rank(const Atlas& atlas, const Target& target, const std::vector<spectra::LitRoom>& rooms,
              const RankingOptions& options) {
   require_sound(target, options.windows);
+  if (rooms.empty()) throw std::invalid_argument("no lighting to rank under");
   Ranking ranking;
   for (const Paint& paint : atlas.paints) {
     if (rejected(paint, options.windows, target)) {
       ++ranking.rejected;
       continue;
     }
-    RankedPaint ranked = seen_in_room(paint, room(paint.reflectance), target, options);
-    if (ranked.correlates.status.all_defined()) {
+    RankedPaint ranked = judge(paint, target, rooms, options);
+    if (defined(ranked)) {
       ranking.paints.push_back(std::move(ranked));
     } else {
       ranking.undefined.push_back(paint.name);
     }
   }
-  std::stable_sort(
-      ranking.paints.begin(), ranking.paints.end(),
-      [](const RankedPaint& p, const RankedPaint& q) { return p.distance < q.distance; });
+  std::ranges::stable_sort(ranking.paints, {}, &RankedPaint::distance);
   return ranking;
 }
 

@@ -39,14 +39,22 @@ struct RankingOptions {
   Windows windows;
   Distance distance = Distance::jab;
   spectra::ViewingChoices viewing;
+  spectra::Judgement judgement = spectra::Judgement::mean;
+};
+
+/// A paint on the viewed wall of the room, in one lighting.
+struct SeenPaint {
+  double distance = 0;  ///< from the target
+  appearance::Correlates correlates;
+  appearance::RoomView view;
+  spectra::Chromaticity chromaticity;  ///< of the light the wall sends to the eye
 };
 
 struct RankedPaint {
   const Paint* paint = nullptr;  ///< into the atlas
-  double distance = 0;
-  appearance::Correlates correlates;  ///< in the room
-  appearance::RoomView view;
-  spectra::Chromaticity chromaticity;  ///< of the light the wall sends to the eye
+  double distance = 0;           ///< judged over the lightings
+  double inconstancy = 0;        ///< largest distance between its looks in two of the lightings
+  std::vector<SeenPaint> seen;   ///< in each lighting
 };
 
 struct Ranking {
@@ -56,11 +64,27 @@ struct Ranking {
       undefined;  ///< names of paints whose appearance the model does not define
 };
 
-/// Every paint of the atlas, by how near it looks in the room to the target. `room` is called once
-/// for each paint that the windows let pass, in the atlas's order; what it throws passes through.
-/// @throws std::invalid_argument  if the target is not finite or a window is not a positive number
+[[nodiscard]] double distance(Distance kind, const appearance::Correlates& seen,
+                              const Target& target);
+
+/// One distance from those under each lighting.
+[[nodiscard]] double judged(spectra::Judgement judgement, const std::vector<double>& distances,
+                            const std::vector<spectra::LitRoom>& rooms);
+
+/// A paint as it looks in each lighting.
+[[nodiscard]] std::vector<SeenPaint> look(const spectra::Spectrum& reflectance,
+                                          const Target& target,
+                                          const std::vector<spectra::LitRoom>& rooms, Distance kind,
+                                          const spectra::ViewingChoices& viewing);
+
+/// Every paint of the atlas, by how near it looks in the room to the target. The room is asked once
+/// in each lighting for each paint that the windows let pass, in the atlas's order; what it throws
+/// passes through.
+/// @throws std::invalid_argument  if the target is not finite, a window is not a positive number or
+/// there is no lighting
 /// @throws std::domain_error      if the room leaves the viewer without light
 [[nodiscard]] Ranking rank(const Atlas& atlas, const Target& target,
-                           const spectra::RoomResponse& room, const RankingOptions& options = {});
+                           const std::vector<spectra::LitRoom>& rooms,
+                           const RankingOptions& options = {});
 
 }  // namespace paints

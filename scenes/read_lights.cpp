@@ -138,6 +138,10 @@ void RoomReader::read_panel(const LightEntry& entry) {
   const auto own = shape.find("reflectance"), beside = entry.light.find("reflectance");
   if (own && beside) own->fault("the panel has two reflectances", "keep one of them");
   if (own || beside) lamp.reflectance = curves_.reflectance(own ? *own : *beside);
+  room_.lights.push_back({.name = entry.name,
+                          .kind = SurfaceKind::panel,
+                          .index = static_cast<int>(room_.panels.size()),
+                          .exitance = lamp.exitance});
   room_.panels.push_back(panel);
   lamps_.push_back(lamp);
   panel_places_.push_back(entry.kind);
@@ -198,6 +202,10 @@ void RoomReader::read_lit_opening(const LightEntry& entry) {
     auto& sum = opening_exitance_[index];
     if (!sum) sum = curves_.zero();
     sum->values += exitance.values;
+    room_.lights.push_back({.name = entry.name,
+                            .kind = SurfaceKind::opening,
+                            .index = static_cast<int>(index),
+                            .exitance = exitance});
     return;
   }
   lights_known_ = false;
@@ -212,6 +220,8 @@ void RoomReader::read_lit_opening(const LightEntry& entry) {
 void RoomReader::read_point(const LightEntry& entry) {
   const std::vector<double> at = entry.kind.object({"at_m"}).numbers("at_m", 3, kCoordinate_m);
   const Eigen::Vector3d at_m(at[0], at[1], at[2]);
+  room_.lights.push_back(
+      {.name = entry.name, .point = static_cast<int>(room_.point_lights.size())});
   room_.point_lights.push_back(
       {.name = entry.name,
        .at_m = at_m,
@@ -231,6 +241,7 @@ void RoomReader::read_sun(const LightEntry& entry) {
       .altitude_deg = place.number("altitude_deg", {.least = 0, .most = 90, .above_least = true}),
       .normal_irradiance =
           emitted(entry.light, {.kind = "sun", .keys = {"illuminance_lx", "exitance_W_m2_nm"}})};
+  room_.lights.push_back({.name = entry.name, .sun = static_cast<int>(room_.suns.size())});
   room_.suns.push_back(sun);
   if (opening_places_.empty()) {
     entry.kind.fault("the room has no opening for the sun", "add one to \"openings\"");

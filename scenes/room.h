@@ -81,11 +81,31 @@ struct TargetColour {
   std::variant<Spectrum, Eigen::Vector3d> colour;  ///< reflectance, or J, C, h in degrees
 };
 
+/// Surfaces that share one paint, and how it is to look.
 struct PaintTask {
-  std::vector<int> surfaces;  ///< into Room::surfaces: they share one paint
+  std::string name;           ///< for reports
+  std::vector<int> surfaces;  ///< into Room::surfaces
   std::string atlas;          ///< a name, or a path resolved against the room file's folder
   std::optional<TargetColour> target;  ///< needed for ranking only
+  std::optional<View> view;            ///< of this group
+  double weight = 1;                   ///< of its distance from the target, among the groups
   int top = 20;                        ///< paints that are listed
+};
+
+/// A light as the file lists it, and what it gives alone.
+struct Light {
+  std::string name;
+  SurfaceKind kind = SurfaceKind::panel;  ///< panel or opening, if `index` says which
+  int index = -1;                         ///< into panels or openings; -1: a point or a sun
+  int point = -1, sun = -1;               ///< into point_lights, suns
+  Spectrum exitance;                      ///< S of its surface, W m^-2 nm^-1
+};
+
+/// A lighting of the room: some of its lights, scaled.
+struct Scenario {
+  std::string name;
+  double weight = 1;          ///< among the scenarios
+  std::vector<double> scale;  ///< of each of Room::lights; 0: off
 };
 
 /// A room as the file describes it, checked: plain data on one grid.
@@ -104,9 +124,18 @@ struct Room {
   std::vector<Receiver> receivers;
   std::optional<View> view;
   spectra::ViewingChoices viewing;
-  std::optional<PaintTask> paint;
+  std::vector<PaintTask> paint;  ///< groups that are painted independently; none: empty
+  std::vector<Light> lights;
+  std::vector<Scenario> scenarios;  ///< none: all lights as they are
+  spectra::Judgement judgement = spectra::Judgement::mean;
   std::vector<std::string> notes;  ///< what was assumed or converted, for the report
 };
+
+/// The room under the lights of a scenario alone.
+[[nodiscard]] Room relit(const Room& room, const Scenario& scenario);
+
+/// The group that a surface is painted with; -1: none.
+[[nodiscard]] int paint_group(const Room& room, int surface);
 
 /// -1 if there is none.
 [[nodiscard]] int find_surface(const Room& room, std::string_view name);

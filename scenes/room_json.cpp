@@ -14,7 +14,7 @@ RoomReader::RoomReader(spectra::JsonFile& file, const spectra::Grid& grid)
       curves_(file, grid),
       top_(file.root().object({"$schema", "roomhue", "name", "plan_m", "wall_names", "height_m",
                                "patch_m", "openings", "furniture", "surfaces", "lights",
-                               "receivers", "view", "paint"})) {
+                               "receivers", "view", "paint", "scenarios", "judge"})) {
   room_.grid = grid;
 }
 
@@ -32,6 +32,7 @@ Room RoomReader::read() {
   read_receivers();
   read_view();
   read_paint();
+  read_scenarios();
   file_.throw_faults();
   room_.notes.insert(room_.notes.end(), curves_.notes().begin(), curves_.notes().end());
   return std::move(room_);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "solver/pair_factor.h"
@@ -60,7 +61,8 @@ bool inside(const std::vector<Vector3d>& polygon, const Vector3d& normal, const 
 }
 
 /// The surface to look at when the file names no view, and the middle of it.
-std::pair<int, Vector3d> default_target(const scenes::Room& room, const scenes::PatchMesh& mesh) {
+std::pair<int, Vector3d> default_target(const scenes::Room& room, std::size_t group,
+                                        const scenes::PatchMesh& mesh) {
   const auto extent = [&](int s) {  // walls rank by length, which beats any other surface's area
     double area = 0;
     for (std::size_t p = 0; p < mesh.area_m2.size(); ++p) {
@@ -72,8 +74,8 @@ std::pair<int, Vector3d> default_target(const scenes::Room& room, const scenes::
     return 1e6 + (room.plan_m[(i + 1) % room.plan_m.size()] - room.plan_m[i]).norm();
   };
   std::vector<int> candidates;
-  if (room.paint) {
-    candidates = room.paint->surfaces;
+  if (!room.paint.empty()) {
+    candidates = room.paint[group].surfaces;
   } else {
     for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
       if (room.surfaces[static_cast<std::size_t>(s)].kind == scenes::SurfaceKind::wall)
@@ -93,20 +95,22 @@ std::pair<int, Vector3d> default_target(const scenes::Room& room, const scenes::
 
 /// The point of the surface's patches that is nearest to `middle`: itself where it is free, else a
 /// patch's centre.
-ViewedPoint free_point(const scenes::PatchMesh& mesh, int surface, const Vector3d& middle) {
-  ViewedPoint best{.patch = -1, .surface = surface};
+std::optional<ViewedPoint> free_point(const scenes::PatchMesh& mesh, int surface,
+                                      const Vector3d& middle) {
+  std::optional<ViewedPoint> best;
   double nearest = 1e300;
-  for (int p = 0; p < mesh.size(); ++p) {
-    const auto i = static_cast<std::size_t>(p);
+  for (std::size_t i = 0; i < mesh.polygon.size(); ++i) {
     if (mesh.surface[i] != surface) continue;
     const bool has_middle = std::abs(mesh.normal[i].dot(middle - mesh.centre[i])) < 1e-9 &&
                             inside(mesh.polygon[i], mesh.normal[i], middle);
     const double distance = has_middle ? 0 : (mesh.centre[i] - middle).norm();
     if (distance >= nearest) continue;
     nearest = distance;
-    best.patch = p;
-    best.point_m = has_middle ? middle : mesh.centre[i];
-    best.normal = mesh.normal[i];
+    const Vector3d point_m = has_middle ? middle : mesh.centre[i];
+    best = {.eye_m = point_m,  // until it is known how far away there is air
+            .point_m = point_m,
+            .normal = mesh.normal[i],
+            .surface = surface};
   }
   return best;
 }
@@ -253,26 +257,29 @@ ViewRows view_rows(const Vector3d& eye_m, const Vector3d& look_at_m,
           .near_axis = normalised(std::move(near_axis), mesh.area_m2)};
 }
 
-ViewedPoint viewed_point(const scenes::Room& room, const scenes::PatchMesh& mesh) {
+ViewedPoint viewed_point(const scenes::Room& room, std::size_t group) {
+  constexpr double kNoCut_m = 1e9;  // a patch edge longer than any room: faces stay whole
+  const scenes::PatchMesh mesh = scenes::mesh_room(room, kNoCut_m);
   const PatchRays rays(mesh);
-  if (room.view) {
-    const RayHit hit = rays.first_hit(room.view->eye_m, room.view->look_at_m - room.view->eye_m);
+  std::optional<scenes::View> view = group == 0 ? room.view : std::nullopt;
+  if (group < room.paint.size() && room.paint[group].view) view = room.paint[group].view;
+  if (view) {
+    const RayHit hit = rays.first_hit(view->eye_m, view->look_at_m - view->eye_m);
     if (hit.patch < 0)
       throw std::invalid_argument("the view ray meets nothing; is the eye in the room?");
     const auto p = static_cast<std::size_t>(hit.patch);
-    return {.eye_m = room.view->eye_m,
+    return {.eye_m = view->eye_m,
             .point_m = hit.point_m,
             .normal = mesh.normal[p],
-            .patch = hit.patch,
             .surface = mesh.surface[p]};
   }
-  const auto [surface, middle] = default_target(room, mesh);
-  ViewedPoint viewed = free_point(mesh, surface, middle);
-  if (viewed.patch < 0) throw std::invalid_argument("the painted surface is hidden by furniture");
-  const RayHit opposite = rays.first_hit(viewed.point_m, viewed.normal);
-  const double free_m = opposite.patch < 0 ? 4 : (opposite.point_m - viewed.point_m).norm();
-  viewed.eye_m = viewed.point_m + std::min(2.0, free_m / 2) * viewed.normal;
-  return viewed;
+  const auto [surface, middle] = default_target(room, group, mesh);
+  std::optional<ViewedPoint> viewed = free_point(mesh, surface, middle);
+  if (!viewed) throw std::invalid_argument("the painted surface is hidden by furniture");
+  const RayHit opposite = rays.first_hit(viewed->point_m, viewed->normal);
+  const double free_m = opposite.patch < 0 ? 4 : (opposite.point_m - viewed->point_m).norm();
+  viewed->eye_m = viewed->point_m + std::min(2.0, free_m / 2) * viewed->normal;
+  return *viewed;
 }
 
 }  // namespace solver

@@ -45,17 +45,17 @@ inline constexpr int kFieldRays = 16384;
 [[nodiscard]] ViewRows view_rows(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& look_at_m,
                                  const scenes::PatchMesh& mesh);
 
-/// The point that is looked at, from where, and the patch it lies on.
+/// The point that is looked at, from where, and the surface it lies on.
 struct ViewedPoint {
   Eigen::Vector3d eye_m, point_m, normal;
-  int patch = 0;
   int surface = 0;
 };
 
-/// With `view`: where the ray from the eye meets the room. Else the free centre of the longest
-/// painted wall (if no wall is painted, of the largest painted surface; if nothing is, of the
-/// longest wall), from 2 m away on its normal or half the room.
+/// Of one group of painted surfaces: with a view (of the group, or of the room for the first),
+/// where the ray from the eye meets the room. Else the free centre of the longest painted wall (if
+/// no wall is painted, of the largest painted surface; if nothing is, of the longest wall), from 2
+/// m away on its normal or half the room. Whatever the mesh of the solve.
 /// @throws std::invalid_argument  if no such point is free
-[[nodiscard]] ViewedPoint viewed_point(const scenes::Room& room, const scenes::PatchMesh& mesh);
+[[nodiscard]] ViewedPoint viewed_point(const scenes::Room& room, std::size_t group = 0);
 
 }  // namespace solver

@@ -14,26 +14,24 @@ namespace {
 using Eigen::ArrayXd;
 using spectra::Spectrum;
 
-bool takes_paint(const scenes::Room& room, int surface) {
-  return room.paint &&
-         std::ranges::find(room.paint->surfaces, surface) != room.paint->surfaces.end();
-}
-
-/// The reflectance of every surface, with the paint on those that take it.
-std::vector<Spectrum> surface_reflectances(const scenes::Room& room, const Spectrum* paint) {
+/// The reflectance of every surface, with the paints on those that take them.
+std::vector<Spectrum> surface_reflectances(const scenes::Room& room,
+                                           const std::vector<Spectrum>& paints) {
   std::vector<Spectrum> reflectances;
   for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
-    const bool painted = paint != nullptr && takes_paint(room, s);
-    reflectances.push_back(painted ? *paint
-                                   : room.surfaces[static_cast<std::size_t>(s)].reflectance);
+    const int group = paints.empty() ? -1 : scenes::paint_group(room, s);
+    reflectances.push_back(group >= 0 ? paints[static_cast<std::size_t>(group)]
+                                      : room.surfaces[static_cast<std::size_t>(s)].reflectance);
   }
   return reflectances;
 }
 
-ReceiverLight read(const ReceiverRow& row, const RadiositySolution& solution) {
+ReceiverLight read(const ReceiverRow& row, std::size_t lighting,
+                   const RadiositySolution& solution) {
   const Bands& b = solution.radiosity;
   ReceiverLight light;
-  light.irradiance = (row.gather.weights.transpose() * b.matrix()).transpose().array() + row.direct;
+  light.irradiance =
+      (row.gather.weights.transpose() * b.matrix()).transpose().array() + row.direct[lighting];
   const double strongest = light.irradiance.maxCoeff();
   if (!(strongest > 0)) return light;
   const ArrayXd sampled =
@@ -49,11 +47,12 @@ ReceiverLight read(const ReceiverRow& row, const RadiositySolution& solution) {
   return light;
 }
 
-EnergyBalance balance(const RoomTransport& t, const Bands& reflectance, const Bands& irradiance) {
+EnergyBalance balance(const RoomTransport& t, const Lighting& light, const Bands& reflectance,
+                      const Bands& irradiance) {
   const auto flux = [&](const Bands& density) -> ArrayXd {
     return (t.exchange.area_m2.matrix().transpose() * density.matrix()).transpose().array();
   };
-  EnergyBalance energy{.emitted = flux(t.emission + t.direct),
+  EnergyBalance energy{.emitted = flux(light.emission + light.direct),
                        .absorbed = flux((1 - reflectance) * irradiance)};
   const double emitted = energy.emitted.sum();
   if (emitted > 0)
@@ -64,8 +63,8 @@ EnergyBalance balance(const RoomTransport& t, const Bands& reflectance, const Ba
 /// Irradiance of the near-white surfaces in view, those near the axis counting more
 /// [Neumann2004] 3.6.
 ArrayXd white_of_surfaces(const scenes::Room& room, const RoomTransport& t,
-                          const RoomSolution& solution) {
-  Eigen::VectorXd weight = t.view.near_axis.weights;
+                          const RoomSolution& solution, const ViewedWall& wall) {
+  Eigen::VectorXd weight = wall.view.near_axis.weights;
   for (int p = 0; p < t.mesh.size(); ++p) {
     const int s = t.mesh.surface[static_cast<std::size_t>(p)];
     const Spectrum& reflectance = solution.reflectances[static_cast<std::size_t>(s)];
@@ -85,44 +84,57 @@ ArrayXd white_of_surfaces(const scenes::Room& room, const RoomTransport& t,
 }  // namespace
 
 RoomSolution solve_room(const scenes::Room& room, const RoomTransport& transport,
-                        const RadiosityOptions& options, const Spectrum* paint) {
-  if (paint != nullptr && !(paint->grid == room.grid)) {
-    throw std::invalid_argument("the paint is not on the room's grid");
+                        const RadiosityOptions& options, const RoomState& state) {
+  if (!state.paints.empty() && state.paints.size() != room.paint.size()) {
+    throw std::invalid_argument(
+        fmt::format("{} paints for {} groups of surfaces", state.paints.size(), room.paint.size()));
   }
-  const std::vector<Spectrum> reflectances = surface_reflectances(room, paint);
+  for (const Spectrum& paint : state.paints) {
+    if (!(paint.grid == room.grid)) {
+      throw std::invalid_argument("the paint is not on the room's grid");
+    }
+  }
+  const std::vector<Spectrum> reflectances = surface_reflectances(room, state.paints);
   Bands reflectance(transport.mesh.size(), room.grid.count);
   for (int p = 0; p < transport.mesh.size(); ++p) {
     const int s = transport.mesh.surface[static_cast<std::size_t>(p)];
     reflectance.row(p) = reflectances[static_cast<std::size_t>(s)].values.transpose();
   }
-  RoomSolution solution{.radiosity = solve_radiosity(transport.exchange, transport.emission,
-                                                     transport.direct, reflectance, options)};
+  const Lighting& light = transport.lightings.at(state.lighting);
+  RoomSolution solution{.radiosity = solve_radiosity(transport.exchange, light.emission,
+                                                     light.direct, reflectance, options)};
   for (const ReceiverRow& row : transport.receivers) {
-    solution.receivers.push_back(read(row, solution.radiosity));
+    solution.receivers.push_back(read(row, state.lighting, solution.radiosity));
   }
-  solution.viewed = read(transport.viewed_row, solution.radiosity);
+  for (const ViewedWall& wall : transport.viewed) {
+    solution.viewed.push_back(read(wall.row, state.lighting, solution.radiosity));
+  }
   solution.reflectances = reflectances;
-  solution.energy = balance(transport, reflectance, solution.radiosity.irradiance);
+  solution.lighting = state.lighting;
+  solution.energy = balance(transport, light, reflectance, solution.radiosity.irradiance);
   return solution;
 }
 
 spectra::ViewedLight viewed_light(const scenes::Room& room, const RoomTransport& transport,
-                                  const RoomSolution& solution) {
+                                  const RoomSolution& solution, std::size_t viewed) {
   const RadiositySolution& light = solution.radiosity;
+  const ViewedWall& wall = transport.viewed.at(viewed);
   const auto on_grid = [&](ArrayXd values) { return Spectrum{room.grid, std::move(values)}; };
   const auto seen = [&](const GatherRow& row) {
     return on_grid((row.weights.transpose() * light.radiosity.matrix()).transpose().array());
   };
-  const ArrayXd& irradiance = solution.viewed.irradiance;
-  const auto viewed = static_cast<std::size_t>(transport.viewed.surface);
-  const scenes::Surface& surface = room.surfaces[viewed];
-  const Spectrum& reflectance = solution.reflectances[viewed];
-  return {.sample = on_grid(surface.exitance.values + reflectance.values * irradiance),
-          .background = seen(transport.view.background),
-          .field = seen(transport.view.field),
+  const ArrayXd& irradiance = solution.viewed[viewed].irradiance;
+  const ArrayXd& reflectance =
+      solution.reflectances[static_cast<std::size_t>(wall.at.surface)].values;
+  const auto patch = std::ranges::find(transport.mesh.surface, wall.at.surface);
+  const ArrayXd exitance =
+      transport.lightings[solution.lighting].emission.row(patch - transport.mesh.surface.begin());
+  return {.sample = on_grid(exitance + reflectance * irradiance),
+          .background = seen(wall.view.background),
+          .field = seen(wall.view.field),
           .white = room.viewing.white == spectra::ReferenceWhite::ideal
                        ? on_grid(irradiance)
-                       : on_grid(white_of_surfaces(room, transport, solution))};
+                       : on_grid(white_of_surfaces(room, transport, solution, wall))};
 }
 
 }  // namespace solver

@@ -25,23 +25,31 @@ struct ReceiverLight {
 struct RoomSolution {
   RadiositySolution radiosity;
   std::vector<ReceiverLight> receivers;         ///< in the order of Room::receivers
-  ReceiverLight viewed;                         ///< at the viewed point
+  std::vector<ReceiverLight> viewed;            ///< in the order of RoomTransport::viewed
   std::vector<spectra::Spectrum> reflectances;  ///< per surface, as it was solved
+  std::size_t lighting = 0;                     ///< it was solved with
   EnergyBalance energy;
 };
 
-/// Surfaces in `room.paint->surfaces` take `paint` where it is given.
-/// @throws std::invalid_argument  if the paint's grid is not the room's, or it is not a reflectance
+/// Which light and which paints a room is solved with.
+struct RoomState {
+  std::size_t lighting = 0;               ///< into RoomTransport::lightings
+  std::vector<spectra::Spectrum> paints;  ///< of each of Room::paint; empty: the room's own
+};
+
+/// @throws std::invalid_argument  if a paint's grid is not the room's, it is not a reflectance, or
+/// their number is not that of the groups
 [[nodiscard]] RoomSolution solve_room(const scenes::Room& room, const RoomTransport& transport,
                                       const RadiosityOptions& options = {},
-                                      const spectra::Spectrum* paint = nullptr);
+                                      const RoomState& state = {});
 
-/// What the eye sees of a solved room, at the viewed point.
+/// What the eye sees of a solved room, at one of its viewed points.
 /// @throws spectra::InputError  if the white is to be read from near-white surfaces and none is in
 /// view
 [[nodiscard]] spectra::ViewedLight viewed_light(const scenes::Room& room,
                                                 const RoomTransport& transport,
-                                                const RoomSolution& solution);
+                                                const RoomSolution& solution,
+                                                std::size_t viewed = 0);
 
 /// Surfaces whose reflectance is at least this in every band count as near-white.
 inline constexpr double kNearWhite = 0.6;

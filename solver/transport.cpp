@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -92,12 +93,27 @@ void require_memory(double bytes, std::int64_t limit, double patch_m) {
       patch_m, bytes * 1e-9, static_cast<double>(limit) * 1e-9, std::ceil(fits_m * 100) / 100));
 }
 
-ReceiverRow receiver_row(const scenes::Room& room, const scenes::PatchMesh& mesh,
-                         const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
-                         const std::vector<Facet>& facets, const Visibility& visibility,
-                         const GatherOptions& options) {
-  return {.gather = gather_at_point(point, normal, mesh, facets, visibility, options),
-          .direct = direct_light_at_point(room, point, normal, visibility)};
+/// The room under each of its lightings: all lights as they are, then the scenarios.
+std::vector<scenes::Room> relit_rooms(const scenes::Room& room) {
+  std::vector<scenes::Room> rooms{room};
+  for (const scenes::Scenario& s : room.scenarios) rooms.push_back(scenes::relit(room, s));
+  return rooms;
+}
+
+Lighting lighting_of(const scenes::Room& lit, const scenes::PatchMesh& mesh,
+                     const std::vector<Facet>& facets, const Visibility& visibility) {
+  DirectLight direct = direct_light_on_patches(lit, mesh, facets, visibility);
+  return {.emission = emission_of(lit, mesh),
+          .direct = std::move(direct.irradiance),
+          .direct_scaling = direct.largest_scaling};
+}
+
+std::vector<ViewedPoint> default_views(const scenes::Room& room) {
+  std::vector<ViewedPoint> views;
+  for (std::size_t g = 0; g < std::max<std::size_t>(1, room.paint.size()); ++g) {
+    views.push_back(viewed_point(room, g));
+  }
+  return views;
 }
 
 void count_pairs(const scenes::PatchMesh& mesh, const Visibility& visibility, Plan& plan) {
@@ -196,21 +212,31 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   t.seconds["exchange"] = watch.lap();
 
   const std::vector<Facet> facets = facets_of(t.mesh);
-  t.emission = emission_of(room, t.mesh);
-  DirectLight direct = direct_light_on_patches(room, t.mesh, facets, visibility);
-  t.direct = std::move(direct.irradiance);
-  t.direct_scaling = direct.largest_scaling;
+  const std::vector<scenes::Room> lit = relit_rooms(room);
+  for (const scenes::Room& r : lit) {
+    t.lightings.push_back(lighting_of(r, t.mesh, facets, visibility));
+  }
+  for (std::size_t s = 0; s < room.scenarios.size(); ++s) {
+    t.lightings[s + 1].name = room.scenarios[s].name;
+  }
   const GatherOptions gather{.lamp = lamp, .lamp_error = options.visibility_error};
+  const auto row = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+    ReceiverRow r{.gather = gather_at_point(point, normal, t.mesh, facets, visibility, gather)};
+    for (const scenes::Room& l : lit) {
+      r.direct.push_back(direct_light_at_point(l, point, normal, visibility));
+    }
+    return r;
+  };
   t.receivers.resize(room.receivers.size());
   tbb::parallel_for(std::size_t{0}, room.receivers.size(), [&](std::size_t k) {
     const scenes::Receiver& r = room.receivers[k];
-    t.receivers[k] =
-        receiver_row(room, t.mesh, r.at_m, r.normal.normalized(), facets, visibility, gather);
+    t.receivers[k] = row(r.at_m, r.normal.normalized());
   });
-  t.viewed = viewed_point(room, t.mesh);
-  t.viewed_row =
-      receiver_row(room, t.mesh, t.viewed.point_m, t.viewed.normal, facets, visibility, gather);
-  t.view = view_rows(t.viewed.eye_m, t.viewed.point_m, t.mesh);
+  for (const ViewedPoint& at : options.views.empty() ? default_views(room) : options.views) {
+    t.viewed.push_back({.at = at,
+                        .row = row(at.point_m, at.normal),
+                        .view = view_rows(at.eye_m, at.point_m, t.mesh)});
+  }
   t.seconds["gather"] = watch.lap();
   return t;
 }

@@ -47,6 +47,7 @@ class TooLarge : public std::runtime_error {
 
 struct TransportOptions {
   double patch_m = 0;                   ///< 0: the room's own
+  std::vector<ViewedPoint> views;       ///< empty: the viewed point of each painted group
   double visibility_error = 1e-3;       ///< aimed at for the visible share of lamps at receivers
   std::int64_t memory_limit_bytes = 0;  ///< 0: what the machine has free
 };
@@ -54,21 +55,32 @@ struct TransportOptions {
 /// A point where light is read, and how.
 struct ReceiverRow {
   GatherRow gather;
-  Eigen::ArrayXd direct;  ///< from point lights and sun, W m^-2 nm^-1
+  std::vector<Eigen::ArrayXd> direct;  ///< from point lights and sun, per lighting, W m^-2 nm^-1
 };
 
-/// Everything about a room that does not depend on reflectances. Built once per geometry and
-/// lighting.
+/// What one lighting brings into the room, patch x band.
+struct Lighting {
+  std::string name;           ///< of the scenario; empty: all lights as they are
+  Bands emission;             ///< S
+  Bands direct;               ///< D
+  double direct_scaling = 0;  ///< how much the flux of point lights and sun had to be mended
+};
+
+/// A point of a surface that somebody looks at.
+struct ViewedWall {
+  ViewedPoint at;
+  ReceiverRow row;  ///< its irradiance
+  ViewRows view;    ///< what else the eye takes in
+};
+
+/// Everything about a room that does not depend on reflectances. Built once per geometry and its
+/// lightings.
 struct RoomTransport {
   scenes::PatchMesh mesh;
   ExchangeAreas exchange;
-  Bands emission;             ///< S, patch x band
-  Bands direct;               ///< D
-  double direct_scaling = 0;  ///< how much the flux of point lights and sun had to be mended
+  std::vector<Lighting> lightings;     ///< all lights as they are, then each of Room::scenarios
   std::vector<ReceiverRow> receivers;  ///< in the order of Room::receivers
-  ViewedPoint viewed;
-  ReceiverRow viewed_row;
-  ViewRows view;
+  std::vector<ViewedWall> viewed;  ///< as asked for; by default one per group of painted surfaces
   Plan plan;
   std::map<std::string, double> seconds;                                   ///< per stage
   double closure_defect = 0, reciprocity_defect = 0, largest_scaling = 0;  ///< of `exchange`

@@ -28,6 +28,16 @@ struct ViewedLightSlope {
 
 using RoomResponseSlope = std::function<ViewedLightSlope(const Spectrum& reflectance)>;
 
+/// The room in one of its lightings.
+struct LitRoom {
+  std::string name;   ///< of the scenario; empty: all lights as they are
+  double weight = 1;  ///< among the lightings
+  RoomResponse view;
+};
+
+/// How the distances under several lightings become one: their weighted mean, or the largest.
+enum class Judgement { mean, worst };
+
 /// How viewing conditions are read from the lit room [Neumann2004] 2.4, 3.6, 4.4, Table 5.
 enum class Surround { neumann, cie, illuminance, average, dim, dark };
 enum class Background { ring, sample };  ///< sample: the paper's shortcut, Y_b = Y of the wall

@@ -154,7 +154,8 @@ TEST(Roomhue, RankOrdersTheAtlasByDistance) {
   const ProgramRun run = roomhue("rank " + kBox + "--max-dJ 9 --max-dC 9 --top 3 --json --out " +
                                  folder.path().string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(names_in(folder.path()), ElementsAre("ranking.csv", "run.json", "shift.csv"));
+  EXPECT_THAT(names_in(folder.path()),
+              ElementsAre("ranking.csv", "response.json", "run.json", "shift.csv"));
   EXPECT_THAT(first_line(folder / "ranking.csv"),
               StartsWith("rank,paint,distance,J,a_C,b_C,C,h_deg,H,dJ,da_C,db_C,x,y"));
   const auto paints = nlohmann::json::parse(run.out)["paints"];
@@ -233,7 +234,7 @@ TEST(Roomhue, CubeAnswersAWishWithAReflectanceThatRoomFilesTake) {
   const nlohmann::json wished = read_json(folder / "wish" / "run.json")["wished"];
   EXPECT_GT(wished["attained"], 0);
   EXPECT_EQ(wished["too_bright_nm"][0][0], 360);  // where the lamp is dim
-  EXPECT_EQ(wished["too_dark_nm"][0][1], 830);  // where the walls are light without it
+  EXPECT_EQ(wished["too_dark_nm"][0][1], 830);    // where the walls are light without it
   EXPECT_THAT(run.err, HasSubstr("360.."));
 
   file.erase("wished");

@@ -40,6 +40,11 @@ spectra::RoomResponse swatch_under(const Spectrum& light) {
   };
 }
 
+Ranking rank_in(const Atlas& atlas, const Target& target, const spectra::RoomResponse& room,
+                const RankingOptions& options = {}) {
+  return rank(atlas, target, {{.view = room}}, options);
+}
+
 spectra::RoomResponse standard_room() { return swatch_under(lit("D65", 2000)); }
 
 const Atlas& munsell() {
@@ -68,7 +73,7 @@ std::vector<std::string> names(const Ranking& ranking) {
 
 TEST(Rank, StandardConditionFindsTheTargetItself) {
   for (const std::size_t index : {0U, 116U, 230U, 461U}) {
-    const Ranking ranking = rank(munsell(), target_paper(index), standard_room());
+    const Ranking ranking = rank_in(munsell(), target_paper(index), standard_room());
     EXPECT_EQ(ranking.paints.size(), munsell().paints.size());
     EXPECT_EQ(ranking.paints[0].paint, &munsell().paints[index]);
     EXPECT_NEAR(ranking.paints[0].distance, 0, 1e-10);  // rounding of XYZ by another scale
@@ -78,19 +83,19 @@ TEST(Rank, StandardConditionFindsTheTargetItself) {
 
 TEST(Rank, UniformSpaceFindsTheTargetItselfToo) {
   const RankingOptions options{.windows = {}, .distance = Distance::cam02_ucs, .viewing = {}};
-  const Ranking ranking = rank(munsell(), target_paper(230), standard_room(), options);
+  const Ranking ranking = rank_in(munsell(), target_paper(230), standard_room(), options);
   EXPECT_EQ(ranking.paints[0].paint, &munsell().paints[230]);
   EXPECT_NEAR(ranking.paints[0].distance, 0, 1e-10);
 }
 
 TEST(Rank, DistancesRiseAndAreThoseOfTheReportedCorrelates) {
   const Target target = target_paper(116);
-  const Ranking ranking = rank(munsell(), target, swatch_under(lit("A", 300)));
+  const Ranking ranking = rank_in(munsell(), target, swatch_under(lit("A", 300)));
   double last = 0;
   for (const RankedPaint& p : ranking.paints) {
     EXPECT_GE(p.distance, last);
     last = p.distance;
-    const auto& seen = p.correlates;
+    const auto& seen = p.seen.front().correlates;
     EXPECT_NEAR(p.distance,
                 std::sqrt(std::pow(seen.lightness - target.lightness, 2) +
                           std::pow(seen.a_c - target.a_c, 2) + std::pow(seen.b_c - target.b_c, 2)),
@@ -101,11 +106,12 @@ TEST(Rank, DistancesRiseAndAreThoseOfTheReportedCorrelates) {
 TEST(Rank, UniformDistanceIsThatOfCam02Ucs) {
   const auto swatch = on_swatch(munsell().paints[116].reflectance).correlates;
   const RankingOptions options{.windows = {}, .distance = Distance::cam02_ucs, .viewing = {}};
-  const Ranking ranking = rank(munsell(), target_of(swatch), swatch_under(lit("A", 300)), options);
+  const Ranking ranking =
+      rank_in(munsell(), target_of(swatch), swatch_under(lit("A", 300)), options);
   const auto wanted =
       appearance::cam02_ucs({swatch.lightness, swatch.colourfulness, swatch.hue_deg});
   for (const RankedPaint& p : ranking.paints) {
-    const auto& c = p.correlates;
+    const auto& c = p.seen.front().correlates;
     const auto seen = appearance::cam02_ucs({c.lightness, c.colourfulness, c.hue_deg});
     EXPECT_NEAR(p.distance, appearance::ucs_distance(seen, wanted), 1e-12);
   }
@@ -113,25 +119,25 @@ TEST(Rank, UniformDistanceIsThatOfCam02Ucs) {
 
 TEST(Rank, ReportsTheLightThatTheWallSends) {
   const Ranking ranking =
-      rank(greys({{"grey", 0.3}}), target_paper(0), swatch_under(lit("A", 300)));
+      rank_in(greys({{"grey", 0.3}}), target_paper(0), swatch_under(lit("A", 300)));
   // Grey sends the light of A: x 0.4476, y 0.4074 (CIE 015), cut to 400..700 nm.
-  EXPECT_NEAR(ranking.paints[0].chromaticity.x, 0.4476, 0.001);
-  EXPECT_NEAR(ranking.paints[0].chromaticity.y, 0.4074, 0.001);
-  EXPECT_NEAR(ranking.paints[0].view.illuminance_lx, 300, 1e-9);
+  EXPECT_NEAR(ranking.paints[0].seen[0].chromaticity.x, 0.4476, 0.001);
+  EXPECT_NEAR(ranking.paints[0].seen[0].chromaticity.y, 0.4074, 0.001);
+  EXPECT_NEAR(ranking.paints[0].seen[0].view.illuminance_lx, 300, 1e-9);
 }
 
 TEST(Rank, OrderOfTheAtlasDoesNotMatter) {
   Atlas shuffled = munsell();
   std::shuffle(shuffled.paints.begin(), shuffled.paints.end(), std::mt19937(3));
   const auto room = swatch_under(lit("A", 300));
-  EXPECT_EQ(names(rank(munsell(), target_paper(7), room)),
-            names(rank(shuffled, target_paper(7), room)));
+  EXPECT_EQ(names(rank_in(munsell(), target_paper(7), room)),
+            names(rank_in(shuffled, target_paper(7), room)));
 }
 
 TEST(Rank, TiesKeepTheOrderOfTheAtlas) {
   const Atlas atlas = greys({{"c", 0.4}, {"b", 0.2}, {"a", 0.4}, {"d", 0.4}});
   const Target target = target_of(on_swatch(spectra::constant(kTransportGrid, 0.4)).correlates);
-  EXPECT_THAT(names(rank(atlas, target, standard_room())),
+  EXPECT_THAT(names(rank_in(atlas, target, standard_room())),
               testing::ElementsAre("c", "a", "d", "b"));
 }
 
@@ -144,7 +150,7 @@ TEST(Rank, WindowsRejectByTheSwatchBeforeTheRoomIsAsked) {
     return room(reflectance);
   };
   const RankingOptions options{.windows = {.lightness = 10, .chroma = 15, .hue_deg = 30}};
-  const Ranking ranking = rank(munsell(), target, counting, options);
+  const Ranking ranking = rank_in(munsell(), target, counting, options);
   EXPECT_EQ(ranking.rejected + static_cast<int>(ranking.paints.size()), 462);
   EXPECT_EQ(calls, static_cast<int>(ranking.paints.size()));
   EXPECT_GT(ranking.rejected, 300);
@@ -153,8 +159,8 @@ TEST(Rank, WindowsRejectByTheSwatchBeforeTheRoomIsAsked) {
   const double chroma = std::hypot(target.a_c, target.b_c);
   std::set<std::string> kept;
   for (const RankedPaint& p : ranking.paints) {
-    EXPECT_LE(std::abs(p.correlates.lightness - target.lightness), 10 + 1e-9);
-    EXPECT_LE(std::abs(p.correlates.chroma - chroma), 15 + 1e-9);
+    EXPECT_LE(std::abs(p.seen.front().correlates.lightness - target.lightness), 10 + 1e-9);
+    EXPECT_LE(std::abs(p.seen.front().correlates.chroma - chroma), 15 + 1e-9);
     kept.insert(p.paint->name);
   }
   // And none was rejected that lies inside all three windows.
@@ -173,16 +179,17 @@ TEST(Rank, HueWindowWrapsAndSparesGreys) {
   const Atlas atlas = greys({{"grey", 0.4}});
   const RankingOptions narrow{.windows = {.hue_deg = 1}};
   // Grey has chroma below 5, so its hue is not asked.
-  EXPECT_EQ(rank(atlas, target_of(LightnessChromaHue{50, 40, 0}), standard_room(), narrow).rejected,
-            0);
+  EXPECT_EQ(
+      rank_in(atlas, target_of(LightnessChromaHue{50, 40, 0}), standard_room(), narrow).rejected,
+      0);
 
   for (const Paint& paint : munsell().paints) {
     const auto swatch = on_swatch(paint.reflectance).correlates;
     if (swatch.chroma < 10 || swatch.hue_deg > 5) continue;
     const Atlas one{.name = "one", .source = "test", .paints = {paint}};
     const auto across = [&](double hue_deg) {
-      return rank(one, target_of(LightnessChromaHue{50, 40, hue_deg}), standard_room(),
-                  {.windows = {.hue_deg = 20}})
+      return rank_in(one, target_of(LightnessChromaHue{50, 40, hue_deg}), standard_room(),
+                     {.windows = {.hue_deg = 20}})
           .rejected;
     };
     EXPECT_EQ(across(350), 0);  // up to 15 degrees away across 360
@@ -196,8 +203,8 @@ TEST(Rank, HueWindowWrapsAndSparesGreys) {
 TEST(Rank, WindowsOnlyRemove) {
   const Target target = target_paper(50);
   const auto room = swatch_under(lit("A", 500));
-  const Ranking all = rank(munsell(), target, room);
-  const Ranking some = rank(munsell(), target, room, {.windows = {.lightness = 20}});
+  const Ranking all = rank_in(munsell(), target, room);
+  const Ranking some = rank_in(munsell(), target, room, {.windows = {.lightness = 20}});
   const std::vector<std::string> few = names(some);
   std::vector<std::string> remaining;
   for (const std::string& name : names(all)) {
@@ -216,29 +223,30 @@ TEST(Rank, PaintsWithoutDefinedAppearanceAreNamedNotRanked) {
     return light;
   };
   const Atlas atlas = greys({{"grey", 0.3}, {"violet", 0.9}});
-  const Ranking ranking = rank(atlas, target_paper(0), room);
+  const Ranking ranking = rank_in(atlas, target_paper(0), room);
   EXPECT_THAT(ranking.undefined, testing::ElementsAre("violet"));
   EXPECT_THAT(names(ranking), testing::ElementsAre("grey"));
 }
 
 TEST(Rank, EmptyAtlasGivesAnEmptyRanking) {
-  const Ranking ranking = rank(greys({}), target_paper(0), standard_room());
+  const Ranking ranking = rank_in(greys({}), target_paper(0), standard_room());
   EXPECT_TRUE(ranking.paints.empty());
   EXPECT_EQ(ranking.rejected, 0);
 }
 
 TEST(Rank, RefusesTargetsAndWindowsWithoutMeaning) {
   const Atlas atlas = greys({{"grey", 0.3}});
-  EXPECT_THROW((void)rank(atlas, {kNaN, 0, 0, 0}, standard_room()), std::invalid_argument);
+  EXPECT_THROW((void)rank_in(atlas, {kNaN, 0, 0, 0}, standard_room()), std::invalid_argument);
   for (const double bad : {0.0, -1.0, kNaN}) {
-    EXPECT_THROW((void)rank(atlas, target_paper(0), standard_room(), {.windows = {.chroma = bad}}),
-                 std::invalid_argument);
+    EXPECT_THROW(
+        (void)rank_in(atlas, target_paper(0), standard_room(), {.windows = {.chroma = bad}}),
+        std::invalid_argument);
   }
 }
 
 TEST(Rank, RefusesADarkRoom) {
   const Spectrum none = spectra::constant(kTransportGrid, 0);
-  EXPECT_THROW((void)rank(greys({{"grey", 0.3}}), target_paper(0), swatch_under(none)),
+  EXPECT_THROW((void)rank_in(greys({{"grey", 0.3}}), target_paper(0), swatch_under(none)),
                std::domain_error);
 }
 
@@ -259,6 +267,28 @@ TEST(TargetOf, RefusesWhatIsNotDefined) {
   EXPECT_THROW((void)target_of(LightnessChromaHue{50, -1, 0}), std::domain_error);
   EXPECT_THROW((void)target_of(LightnessChromaHue{-1, 0, 0}), std::domain_error);
   EXPECT_THROW((void)target_of(LightnessChromaHue{50, 10, kNaN}), std::domain_error);
+}
+
+// By day and by lamp: the judged distance is that of the scenarios' distances, and a paint is as
+// inconstant as its two looks differ.
+TEST(Rank, JudgesOverLightings) {
+  const std::vector<spectra::LitRoom> rooms{
+      {.name = "day", .weight = 3, .view = swatch_under(lit("D65", 800))},
+      {.name = "lamp", .weight = 1, .view = swatch_under(lit("A", 100))}};
+  const Target target = target_paper(100);
+  const Ranking mean = rank(munsell(), target, rooms);
+  const Ranking worst = rank(munsell(), target, rooms, {.judgement = spectra::Judgement::worst});
+  for (const RankedPaint& p : mean.paints) {
+    EXPECT_NEAR(p.distance, (3 * p.seen[0].distance + p.seen[1].distance) / 4, 1e-12);
+    const auto &day = p.seen[0].correlates, &lamp = p.seen[1].correlates;
+    EXPECT_NEAR(p.inconstancy,
+                std::hypot(day.lightness - lamp.lightness, day.a_c - lamp.a_c, day.b_c - lamp.b_c),
+                1e-12);
+  }
+  for (const RankedPaint& p : worst.paints) {
+    EXPECT_EQ(p.distance, std::max(p.seen[0].distance, p.seen[1].distance));
+  }
+  EXPECT_THROW((void)rank(munsell(), target, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Change change_of(const std::string& room_name, const std::string& paint) {
   const solver::RoomTransport transport = solver::prepare_transport(room, {.patch_m = 0.5});
   const Spectrum reflectance =
       spectra::reflectance_on(room.grid, spectra::find_paint(paint).spectrum->samples);
-  const solver::RoomSolution solution = solver::solve_room(room, transport, {}, &reflectance);
+  const solver::RoomSolution solution = solver::solve_room(room, transport, {}, {.paints = {reflectance}});
   const spectra::ViewedLight light = solver::viewed_light(room, transport, solution);
   const appearance::RoomView view = appearance::view_of_room(light, room.viewing);
   const appearance::Correlates in_room =

@@ -46,6 +46,8 @@ const std::vector<SchemaObject> kObjects{
     {"receiver", "/receivers/0", "{}"},
     {"view", "/view", "{}"},
     {"paint", "/paint", "{}"},
+    {"eye", "/paint/view", "{}"},
+    {"scenario", "/scenarios/0", "{}"},
     {"correlates", "/paint/target", R"({"J": 0})"},
 };
 

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "apps/output_files.h"
+#include "apps/room_options.h"
+#include "solver/room_response.h"
+
+namespace apps {
+
+/// SHA-256 of everything that a room response depends on: geometry, lights, scenarios, views, the
+/// reflectances that are not painted, mesh and program version; but no atlas, target or paint.
+[[nodiscard]] std::string response_key(const scenes::Room& room, const RoomOptions& options);
+
+/// A JSON file that a later run may read instead of solving.
+[[nodiscard]] OutputFile response_file(const std::filesystem::path& path, const std::string& key,
+                                       const solver::ReducedViews& views);
+
+/// Nothing if there is no such file, it belongs to another key, or it is damaged.
+[[nodiscard]] std::optional<solver::ReducedViews> load_response(const std::filesystem::path& path,
+                                                                const std::string& key);
+
+}  // namespace apps

@@ -1,0 +1,545 @@
+#include "solver/reduced_room.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace solver {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index kColumnsAtOnce = 32;  ///< of one pass of the solver
+constexpr double kSameLight = 1e-12;  ///< share of a column that other columns do not combine to
+/// Share of a vector that must be new to the basis, in units of the solver's error: less would be
+/// made of that error.
+constexpr double kNewDirection = 1e4;
+constexpr int kHeldOut = 2;       ///< solves of all bands per light
+constexpr double kTighter = 0.1;  ///< where held-out solves disagree
+
+/// Bands with the same fixed reflectances, and the fewest columns of light that theirs combine
+/// from.
+struct BandClass {
+  std::vector<int> bands;
+  ArrayXd fixed;          ///< reflectance per patch, 0 where painted
+  SourceLight sources;    ///< patch x source
+  MatrixXd share;         ///< sources x (bands * lights): light = sources * share
+  MatrixXd constant;      ///< outputs x sources, all paints black
+  MatrixXd black;         ///< g, painted patches x sources
+  MatrixXd basis, moved;  ///< V, K V; painted patches x n
+  MatrixXd phi;           ///< outputs x n
+  std::vector<int> group;
+};
+
+/// One column of a solve, and what is kept of its answer.
+struct Column {
+  const BandClass* of = nullptr;
+  VectorXd emission, direct;
+  VectorXd paint;     ///< reflectance of each group
+  VectorXd received;  ///< sqrt(A) H on the painted patches
+  VectorXd outputs;
+};
+
+MatrixXd symmetric_transfer(const BandClass& c) {
+  MatrixXd k = c.basis.transpose() * c.moved;
+  // What the solves left open grows with each vector, so the earlier of a pair is believed.
+  for (Index i = 0; i < k.rows(); ++i) {
+    for (Index j = 0; j < i; ++j) k(j, i) = k(i, j);
+  }
+  return k;
+}
+
+VectorXd by_vector(const std::vector<int>& group, const VectorXd& reflectance) {
+  VectorXd r(static_cast<Index>(group.size()));
+  for (Index i = 0; i < r.size(); ++i) r[i] = reflectance[group[static_cast<std::size_t>(i)]];
+  return r;
+}
+
+/// (I - K R)^-1 gamma
+MatrixXd coefficients(const MatrixXd& k, const VectorXd& r, const MatrixXd& gamma) {
+  const MatrixXd system = MatrixXd::Identity(k.rows(), k.cols()) - k * r.asDiagonal();
+  return system.partialPivLu().solve(gamma);
+}
+
+class Reduction {
+ public:
+  Reduction(const ExchangeAreas& exchange, const std::vector<SourceLight>& lights,
+            const PaintedPatches& painted, const std::vector<OutputRow>& outputs,
+            const ReductionOptions& options)
+      : exchange_(exchange),
+        lights_(lights),
+        painted_(painted),
+        outputs_(outputs),
+        options_(options),
+        residual_(options.relative_error) {
+    for (int p = 0; p < exchange.patches(); ++p) {
+      if (painted.group[static_cast<std::size_t>(p)] >= 0) patches_.push_back(p);
+    }
+    if (patches_.empty()) throw std::invalid_argument("no patch is painted");
+    root_area_ = exchange.area_m2(patches_).sqrt();
+    find_classes();
+    list_candidates();
+  }
+
+  ReducedRoom run() {
+    start();
+    while (true) {
+      const bool room_left = grow();
+      ReducedRoom reduced = result();
+      measure(reduced);
+      if (reduced.converged || !room_left || residual_ < 1e-15) return reduced;
+      residual_ *= kTighter;
+    }
+  }
+
+ private:
+  [[nodiscard]] Index patches() const { return exchange_.patches(); }
+
+  [[nodiscard]] int group_of(Index painted) const {
+    return painted_.group[static_cast<std::size_t>(patches_[static_cast<std::size_t>(painted)])];
+  }
+
+  void find_classes();
+  void find_sources(BandClass& c) const;
+  void list_candidates();
+  void solve(std::vector<Column>& columns);
+  void solve_some(Column* first, Index count);
+  void start();
+  bool grow();
+
+  [[nodiscard]] Index vectors() const {
+    Index sum = 0;
+    for (const BandClass& c : classes_) sum += c.basis.cols();
+    return sum;
+  }
+
+  std::vector<Column> worst_columns(BandClass& c, int most) const;
+  [[nodiscard]] double residual(const BandClass& c, Index source, const VectorXd& paint,
+                                const MatrixXd& k) const;
+  void add_parts(BandClass& c, const VectorXd& received, std::vector<VectorXd> moved,
+                 std::vector<VectorXd> phi) const;
+  void add_vector(BandClass& c, int group, VectorXd v, VectorXd moved, VectorXd phi) const;
+  [[nodiscard]] Column emitter(const BandClass& c, const VectorXd& received, int group) const;
+  void absorb(std::vector<Column>& snapshots);
+  [[nodiscard]] ReducedRoom result() const;
+  void measure(ReducedRoom& reduced);
+
+  const ExchangeAreas& exchange_;
+  const std::vector<SourceLight>& lights_;
+  const PaintedPatches& painted_;
+  const std::vector<OutputRow>& outputs_;
+  const ReductionOptions& options_;
+  double residual_;  ///< relative, at which a class has enough vectors
+  std::vector<int> patches_;
+  ArrayXd root_area_;
+  std::vector<BandClass> classes_;
+  std::vector<VectorXd> candidates_;  ///< reflectances of the groups
+  double solves_ = 0;
+  int lit_bands_ = 0;
+};
+
+void Reduction::find_classes() {
+  for (int band = 0; band < static_cast<int>(painted_.fixed.cols()); ++band) {
+    const bool lit = std::ranges::any_of(lights_, [&](const SourceLight& light) {
+      return (light.emission.col(band) > 0).any() || (light.direct.col(band) > 0).any();
+    });
+    if (!lit) continue;
+    ++lit_bands_;
+    ArrayXd fixed = painted_.fixed.col(band);
+    for (const int p : patches_) fixed[p] = 0;
+    auto same = std::ranges::find_if(classes_,
+                                     [&](const BandClass& c) { return (c.fixed == fixed).all(); });
+    if (same == classes_.end()) {
+      classes_.push_back({.bands = {}, .fixed = fixed});
+      same = classes_.end() - 1;
+    }
+    same->bands.push_back(band);
+  }
+  for (BandClass& c : classes_) find_sources(c);
+}
+
+void Reduction::find_sources(BandClass& c) const {
+  const Index n = patches(), lights = static_cast<Index>(lights_.size());
+  MatrixXd light(2 * n, static_cast<Index>(c.bands.size()) * lights);
+  Index column = 0;
+  for (const int band : c.bands) {
+    for (const SourceLight& l : lights_) {
+      light.col(column++) << (l.emission.col(band) * exchange_.area_m2.sqrt()).matrix(),
+          (l.direct.col(band) * exchange_.area_m2.sqrt()).matrix();
+    }
+  }
+  VectorXd size = light.colwise().norm();
+  for (double& s : size) s = s > 0 ? s : 1;
+  light = light * size.cwiseInverse().asDiagonal();
+  Eigen::ColPivHouseholderQR<MatrixXd> qr;
+  qr.setThreshold(kSameLight);
+  qr.compute(light);
+  const Index rank = qr.rank();
+  const MatrixXd r = qr.matrixR().topRows(rank).template triangularView<Eigen::Upper>();
+  MatrixXd share(rank, light.cols());
+  share << MatrixXd::Identity(rank, rank),
+      r.leftCols(rank).triangularView<Eigen::Upper>().solve(r.rightCols(light.cols() - rank));
+  c.share = share * qr.colsPermutation().transpose() * size.asDiagonal();
+  const MatrixXd chosen = (light * qr.colsPermutation()).eval().leftCols(rank).cwiseMax(0);
+  const ArrayXd root = exchange_.area_m2.rsqrt();
+  c.sources = {.emission = chosen.topRows(n).array().colwise() * root,
+               .direct = chosen.bottomRows(n).array().colwise() * root};
+}
+
+/// Reflectances whose distance to 1 is spaced geometrically, every combination over the groups.
+void Reduction::list_candidates() {
+  const int levels = painted_.groups == 1 ? 33 : painted_.groups == 2 ? 9 : 5;
+  const auto level = [&](int i) {
+    return 1 - std::pow(1 - options_.highest_reflectance, static_cast<double>(i) / (levels - 1));
+  };
+  int count = 1;
+  for (int j = 0; j < painted_.groups; ++j) count *= levels;
+  for (int code = 0; code < count; ++code) {
+    VectorXd paint(painted_.groups);
+    for (int j = 0, rest = code; j < painted_.groups; ++j, rest /= levels) {
+      paint[j] = level(rest % levels);
+    }
+    candidates_.push_back(paint);
+  }
+}
+
+void Reduction::solve(std::vector<Column>& columns) {
+  const Index count = static_cast<Index>(columns.size());
+  for (Index first = 0; first < count; first += kColumnsAtOnce) {
+    solve_some(columns.data() + first, std::min(kColumnsAtOnce, count - first));
+  }
+  solves_ += static_cast<double>(count) / lit_bands_;
+}
+
+void Reduction::solve_some(Column* first, Index count) {
+  Bands emission(patches(), count), direct(patches(), count), reflectance(patches(), count);
+  for (Index k = 0; k < count; ++k) {
+    emission.col(k) = first[k].emission;
+    direct.col(k) = first[k].direct;
+    reflectance.col(k) = first[k].of->fixed;
+    for (Index p = 0; p < root_area_.size(); ++p) {
+      reflectance(patches_[static_cast<std::size_t>(p)], k) = first[k].paint[group_of(p)];
+    }
+  }
+  const RadiositySolution solution = solve_radiosity(exchange_, emission, direct, reflectance,
+                                                     {.relative_error = options_.solver_error});
+  for (Index k = 0; k < count; ++k) {
+    first[k].received = solution.irradiance.col(k)(patches_) * root_area_;
+    first[k].outputs.resize(static_cast<Index>(outputs_.size()));
+    for (Index o = 0; o < first[k].outputs.size(); ++o) {
+      const OutputRow& row = outputs_[static_cast<std::size_t>(o)];
+      first[k].outputs[o] =
+          (row.on_radiosity.size() ? row.on_radiosity.dot(solution.radiosity.col(k).matrix()) : 0) +
+          (row.on_irradiance.size() ? row.on_irradiance.dot(solution.irradiance.col(k).matrix())
+                                    : 0);
+    }
+  }
+}
+
+/// All paints black: y0 and g. Then each group's part of g, so that the basis is exact there.
+void Reduction::start() {
+  std::vector<Column> black;
+  for (BandClass& c : classes_) {
+    for (Index s = 0; s < c.share.rows(); ++s) {
+      black.push_back({.of = &c,
+                       .emission = c.sources.emission.col(s),
+                       .direct = c.sources.direct.col(s),
+                       .paint = VectorXd::Zero(painted_.groups)});
+    }
+  }
+  solve(black);
+  std::vector<Column> parts;
+  std::size_t k = 0;
+  for (BandClass& c : classes_) {
+    c.black.resize(root_area_.size(), c.share.rows());
+    c.constant.resize(static_cast<Index>(outputs_.size()), c.share.rows());
+    c.basis.resize(root_area_.size(), 0);
+    c.moved = c.basis;
+    c.phi.resize(static_cast<Index>(outputs_.size()), 0);
+    for (Index s = 0; s < c.share.rows(); ++s, ++k) {
+      c.black.col(s) = black[k].received;
+      c.constant.col(s) = black[k].outputs;
+      for (int j = 0; j < painted_.groups; ++j) parts.push_back(emitter(c, c.black.col(s), j));
+    }
+  }
+  solve(parts);
+  k = 0;
+  for (BandClass& c : classes_) {
+    for (Index s = 0; s < c.share.rows(); ++s) {
+      std::vector<VectorXd> moved, phi;
+      for (int j = 0; j < painted_.groups; ++j, ++k) {
+        moved.push_back(parts[k].received);
+        phi.push_back(parts[k].outputs);
+      }
+      add_parts(c, c.black.col(s), std::move(moved), std::move(phi));
+    }
+  }
+}
+
+/// A group's part of what the painted patches receive, sent out again with all paints black: what
+/// arrives is K E_j v.
+Column Reduction::emitter(const BandClass& c, const VectorXd& received, int group) const {
+  Column column{.of = &c,
+                .emission = VectorXd::Zero(patches()),
+                .direct = VectorXd::Zero(patches()),
+                .paint = VectorXd::Zero(painted_.groups)};
+  for (Index p = 0; p < received.size(); ++p) {
+    if (group_of(p) != group) continue;
+    column.emission[patches_[static_cast<std::size_t>(p)]] =
+        std::max(0.0, received[p] / root_area_[p]);
+  }
+  return column;
+}
+
+void Reduction::add_parts(BandClass& c, const VectorXd& received, std::vector<VectorXd> moved,
+                          std::vector<VectorXd> phi) const {
+  for (int j = 0; j < painted_.groups; ++j) {
+    VectorXd part = received;
+    for (Index p = 0; p < part.size(); ++p) {
+      if (group_of(p) != j) part[p] = 0;
+    }
+    const auto at = static_cast<std::size_t>(j);
+    add_vector(c, j, std::move(part), std::move(moved[at]), std::move(phi[at]));
+  }
+}
+
+/// Orthonormalised, twice against rounding; what the basis holds already is left out.
+void Reduction::add_vector(BandClass& c, int group, VectorXd v, VectorXd moved,
+                           VectorXd phi) const {
+  const double size = v.norm();
+  for (int pass = 0; pass < 2; ++pass) {
+    for (Index i = 0; i < c.basis.cols(); ++i) {
+      if (c.group[static_cast<std::size_t>(i)] != group) continue;
+      const double along = c.basis.col(i).dot(v);
+      v -= along * c.basis.col(i);
+      moved -= along * c.moved.col(i);
+      phi -= along * c.phi.col(i);
+    }
+  }
+  const double left = v.norm();
+  if (!(left > kNewDirection * options_.solver_error * size)) return;
+  const Index n = c.basis.cols();
+  c.basis.conservativeResize(Eigen::NoChange, n + 1);
+  c.moved.conservativeResize(Eigen::NoChange, n + 1);
+  c.phi.conservativeResize(Eigen::NoChange, n + 1);
+  c.basis.col(n) = v / left;
+  c.moved.col(n) = moved / left;
+  c.phi.col(n) = phi / left;
+  c.group.push_back(group);
+}
+
+/// ||g + K R h - h|| / ||h|| of the projected irradiance h.
+double Reduction::residual(const BandClass& c, Index source, const VectorXd& paint,
+                           const MatrixXd& k) const {
+  const VectorXd r = by_vector(c.group, paint);
+  const VectorXd g = c.black.col(source);
+  const VectorXd h = coefficients(k, r, c.basis.transpose() * g);
+  const VectorXd rest = g + c.moved * (r.asDiagonal() * h) - c.basis * h;
+  return h.norm() > 0 ? rest.norm() / h.norm() : 0;
+}
+
+/// Up to `most` reflectances for each source of a class where the residual is too large: the
+/// largest first, then others at some distance.
+std::vector<Column> Reduction::worst_columns(BandClass& c, int most) const {
+  const auto distance = [](const VectorXd& p, const VectorXd& q) {
+    return ((1 - p.array()) / (1 - q.array())).log().abs().maxCoeff();
+  };
+  const MatrixXd k = symmetric_transfer(c);
+  std::vector<Column> worst;
+  for (Index s = 0; s < c.share.rows(); ++s) {
+    std::vector<std::pair<double, const VectorXd*>> open;
+    for (const VectorXd& paint : candidates_) {
+      const double left = residual(c, s, paint, k);
+      if (left > residual_) open.emplace_back(left, &paint);
+    }
+    std::ranges::stable_sort(open, std::greater{}, [](const auto& entry) { return entry.first; });
+    std::vector<const VectorXd*> chosen;
+    for (const auto& [left, paint] : open) {
+      if (static_cast<int>(chosen.size()) == most) break;
+      if (std::ranges::all_of(chosen,
+                              [&](const VectorXd* other) { return distance(*paint, *other) > 1; }))
+        chosen.push_back(paint);
+    }
+    for (const VectorXd* paint : chosen) {
+      worst.push_back({.of = &c,
+                       .emission = c.sources.emission.col(s),
+                       .direct = c.sources.direct.col(s),
+                       .paint = *paint,
+                       .received = c.black.col(s),
+                       .outputs = c.constant.col(s)});
+    }
+  }
+  return worst;
+}
+
+/// @return false if more solves bring nothing or are used up
+bool Reduction::grow() {
+  Index sources = 0;
+  for (const BandClass& c : classes_) sources += c.share.rows();
+  const int at_once =
+      static_cast<int>(std::max<Index>(1, kColumnsAtOnce / std::max<Index>(1, sources)));
+  while (solves_ < options_.most_solves * painted_.groups) {
+    std::vector<Column> snapshots;
+    for (BandClass& c : classes_) {
+      for (Column& column : worst_columns(c, at_once)) snapshots.push_back(std::move(column));
+    }
+    if (snapshots.empty()) return true;
+    const Index before = vectors();
+    absorb(snapshots);
+    if (vectors() == before) return false;  // rounding has the last word
+  }
+  return false;
+}
+
+/// Solves, and makes basis vectors of the answers. Since h - g = sum_j rho_j K E_j h, the part of
+/// the group with the largest rho needs no solve of its own.
+void Reduction::absorb(std::vector<Column>& snapshots) {
+  std::vector<std::pair<VectorXd, VectorXd>> black;  // g and y0 of each
+  for (Column& s : snapshots) black.emplace_back(std::move(s.received), std::move(s.outputs));
+  solve(snapshots);
+  std::vector<Column> parts;
+  for (const Column& s : snapshots) {
+    Index free = 0;
+    s.paint.maxCoeff(&free);
+    for (int j = 0; j < painted_.groups; ++j) {
+      if (j != free) parts.push_back(emitter(*s.of, s.received, j));
+    }
+  }
+  if (!parts.empty()) solve(parts);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < snapshots.size(); ++k) {
+    const Column& s = snapshots[k];
+    Index free = 0;
+    const double highest = s.paint.maxCoeff(&free);
+    std::vector<VectorXd> moved(static_cast<std::size_t>(painted_.groups));
+    std::vector<VectorXd> phi = moved;
+    VectorXd rest = s.received - black[k].first, rest_outputs = s.outputs - black[k].second;
+    for (int j = 0; j < painted_.groups; ++j) {
+      if (j == free) continue;
+      const auto at = static_cast<std::size_t>(j);
+      moved[at] = parts[next].received;
+      phi[at] = parts[next++].outputs;
+      rest -= s.paint[j] * moved[at];
+      rest_outputs -= s.paint[j] * phi[at];
+    }
+    moved[static_cast<std::size_t>(free)] = rest / highest;
+    phi[static_cast<std::size_t>(free)] = rest_outputs / highest;
+    BandClass& c = classes_[static_cast<std::size_t>(s.of - classes_.data())];
+    add_parts(c, s.received, std::move(moved), std::move(phi));
+  }
+}
+
+ReducedRoom Reduction::result() const {
+  const Index lights = static_cast<Index>(lights_.size());
+  ReducedRoom reduced{.groups = painted_.groups,
+                      .solves = solves_,
+                      .highest_reflectance = options_.highest_reflectance};
+  // A band without light: no vectors, no outputs.
+  const auto outputs = static_cast<Index>(outputs_.size());
+  reduced.transfers.push_back({.k = MatrixXd(0, 0), .phi = MatrixXd(outputs, 0)});
+  reduced.bands.resize(static_cast<std::size_t>(painted_.fixed.cols()),
+                       {.gamma = MatrixXd(0, lights), .constant = MatrixXd::Zero(outputs, lights)});
+  for (const BandClass& c : classes_) {
+    const MatrixXd gamma = c.basis.transpose() * c.black * c.share;
+    const MatrixXd constant = c.constant * c.share;
+    for (std::size_t b = 0; b < c.bands.size(); ++b) {
+      const Index first = static_cast<Index>(b) * lights;
+      reduced.bands[static_cast<std::size_t>(c.bands[b])] = {
+          .transfer = static_cast<int>(reduced.transfers.size()),
+          .gamma = gamma.middleCols(first, lights),
+          .constant = constant.middleCols(first, lights)};
+    }
+    reduced.transfers.push_back({.k = symmetric_transfer(c), .phi = c.phi, .group = c.group});
+  }
+  return reduced;
+}
+
+/// Full solves at reflectances that differ from band to band and were not chosen by the residual.
+void Reduction::measure(ReducedRoom& reduced) {
+  const auto reflectance = [&](int band, int solve, int group) {
+    const double turn = std::numbers::phi * (band + 1) + 0.3 * solve + 0.414 * group + 0.13;
+    return 1 - std::pow(1 - options_.highest_reflectance, turn - std::floor(turn));
+  };
+  const double before = solves_;
+  for (std::size_t l = 0; l < lights_.size(); ++l) {
+    for (int solve_number = 0; solve_number < kHeldOut; ++solve_number) {
+      std::vector<Column> columns;
+      std::vector<int> bands;
+      for (const BandClass& c : classes_) {
+        for (const int band : c.bands) {
+          VectorXd paint(painted_.groups);
+          for (int j = 0; j < painted_.groups; ++j) {
+            paint[j] = reflectance(band, solve_number + kHeldOut * static_cast<int>(l), j);
+          }
+          columns.push_back({.of = &c,
+                             .emission = lights_[l].emission.col(band),
+                             .direct = lights_[l].direct.col(band),
+                             .paint = paint});
+          bands.push_back(band);
+        }
+      }
+      solve(columns);
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const VectorXd y = reduced.outputs(bands[k], columns[k].paint).col(static_cast<Index>(l));
+        for (Index o = 0; o < y.size(); ++o) {
+          const double solved = std::abs(columns[k].outputs[o]);
+          if (!(solved > 0)) continue;
+          reduced.largest_error =
+              std::max(reduced.largest_error, std::abs(y[o] - columns[k].outputs[o]) / solved);
+        }
+      }
+      ++reduced.held_out;
+    }
+  }
+  solves_ = before;
+  reduced.converged = reduced.largest_error <= options_.relative_error;
+}
+
+void check(const ExchangeAreas& exchange, const std::vector<SourceLight>& lights,
+           const PaintedPatches& painted, const std::vector<OutputRow>& outputs) {
+  const Index n = exchange.patches();
+  const auto require = [](bool holds, const char* what) {
+    if (!holds) throw std::invalid_argument(fmt::format("the room to reduce: {}", what));
+  };
+  require(static_cast<Index>(painted.group.size()) == n && painted.fixed.rows() == n,
+          "groups and reflectances want one row per patch");
+  require(painted.groups >= 1 && painted.groups <= 3, "1 to 3 groups can be painted");
+  require(!lights.empty(), "there is no light");
+  for (const SourceLight& l : lights) {
+    require(l.emission.rows() == n && l.direct.rows() == n &&
+                l.emission.cols() == painted.fixed.cols() &&
+                l.direct.cols() == painted.fixed.cols(),
+            "light and reflectances differ in size");
+  }
+  for (const OutputRow& o : outputs) {
+    require((o.on_radiosity.size() == 0 || o.on_radiosity.size() == n) &&
+                (o.on_irradiance.size() == 0 || o.on_irradiance.size() == n),
+            "an output wants one weight per patch");
+  }
+}
+
+}  // namespace
+
+MatrixXd ReducedRoom::outputs(int band, const VectorXd& reflectance) const {
+  const Band& b = bands[static_cast<std::size_t>(band)];
+  const Transfer& t = transfers[static_cast<std::size_t>(b.transfer)];
+  const VectorXd r = by_vector(t.group, reflectance);
+  return b.constant + t.phi * (r.asDiagonal() * coefficients(t.k, r, b.gamma));
+}
+
+ReducedRoom reduce_room(const ExchangeAreas& exchange, const std::vector<SourceLight>& lights,
+                        const PaintedPatches& painted, const std::vector<OutputRow>& outputs,
+                        const ReductionOptions& options) {
+  check(exchange, lights, painted, outputs);
+  return Reduction(exchange, lights, painted, outputs, options).run();
+}
+
+}  // namespace solver
