@@ -1,5 +1,4 @@
 #include "apps/closed_form_report.h"
-#include "scenes/closed_form_json.h"
 
 namespace apps {
 
@@ -13,12 +12,20 @@ Exit solve_brick(const FileCommand& command, const Session& session) {
                                  .window_height_m = brick.window_height_m,
                                  .window_sill_m = brick.window_sill_m,
                                  .window_offset_m = brick.window_offset_m};
+  const solver::Parts emission = parts_of(brick.emission);
+  solver::Parts reflectance = parts_of(brick.reflectance);
+  const auto wish = answer(
+      brick.wished, scenes::kBrickParts,
+      [&](const solver::WishedRadiosity& wished) {
+        return solver::inverse_brick(shape, emission, reflectance, wished);
+      },
+      reflectance);
   write_report({.subcommand = "brick",
                 .form_factors = "exact",
                 .part_names = {scenes::kBrickParts.begin(), scenes::kBrickParts.end()},
                 .notes = brick.notes,
-                .radiosity = solver::brick_radiosity(shape, parts_of(brick.emission),
-                                                     parts_of(brick.reflectance))},
+                .radiosity = solver::brick_radiosity(shape, emission, reflectance),
+                .wish = wish},
                command, session);
   return Exit::done;
 }

@@ -247,6 +247,17 @@ void add_rank_commands(CLI::App& program, CommandLine& line) {
   add_out(mix.app(), mixed->out);
   add_options(mix.app(), mixed->options);
 
+  Subcommand inverse(program, "inverse",
+                     "The smoothest reflectance that looks in the room exactly like the target on "
+                     "the swatch, in every scenario, or the nearest: reflectance.csv, inverse.csv, "
+                     "appearance.csv; and the paints nearest to it: ranking.csv",
+                     "scenes/rooms/office.json --out out/inverse");
+  const auto inverted = inverse.runs(invert_room, line);
+  inverse.app().add_option("ROOM", inverted->rooms, "room file with paint.target")->required();
+  add_out(inverse.app(), inverted->out);
+  add_atlas_options(inverse.app(), inverted->options);
+  add_top_option(inverse.app(), inverted->options);
+
   Subcommand batch(program, "batch",
                    "Many rooms, a folder each and summary.csv; goes on past bad rooms, resumes",
                    "scenes/rooms --out out/all");

@@ -64,6 +64,7 @@ Exit compare_room(const RoomCommand& command, const Session& session);
 Exit rank_room(const RankCommand& command, const Session& session);
 Exit map_atlas(const RankCommand& command, const Session& session);
 Exit mix_room(const MixCommand& command, const Session& session);
+Exit invert_room(const RankCommand& command, const Session& session);
 Exit batch_rooms(const RankCommand& command, const Session& session);
 Exit convert_table(const FileCommand& command, const Session& session);
 Exit solve_cube(const FileCommand& command, const Session& session);

@@ -46,4 +46,15 @@ void CsvText::separate() {
   at_row_start_ = false;
 }
 
+std::string reflectance_csv(std::string_view name, const spectra::Spectrum& reflectance) {
+  CsvText csv;
+  csv.cell("name");
+  for (int k = 0; k < reflectance.grid.count; ++k) csv.cell(reflectance.grid.wavelength_nm(k));
+  csv.end_row();
+  csv.cell(name);
+  for (const double value : reflectance.values) csv.cell(value);
+  csv.end_row();
+  return csv.take();
+}
+
 }  // namespace apps

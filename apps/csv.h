@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "appearance/spectra/spectrum.h"
+
 namespace apps {
 
 /// Text of a CSV file [RFC4180]: cells quoted where they must be, rows ended by CR LF, numbers as
@@ -28,5 +30,9 @@ class CsvText {
   std::string text_;
   bool at_row_start_ = true;
 };
+
+/// `name,400,410,...` and one row: a reflectance as room files and atlases take it.
+[[nodiscard]] std::string reflectance_csv(std::string_view name,
+                                          const spectra::Spectrum& reflectance);
 
 }  // namespace apps

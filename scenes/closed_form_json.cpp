@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "scenes/curve_reader.h"
 #include "scenes/fits.h"
@@ -18,11 +19,27 @@ constexpr Limits kLength_m{.least = 1e-3, .most = 1e4};
 constexpr Limits kEmission{.least = 0, .most = 1e9};
 
 /// A number or { nm, values }, W m^-2 nm^-1.
-Spectrum emission(CurveReader& curves, const JsonNode& node) {
+Spectrum light(CurveReader& curves, const JsonNode& node) {
   if (node.is(JsonNode::Kind::number)) {
     return spectra::constant(curves.grid(), node.number(kEmission));
   }
   return curves.absolute_light(node);
+}
+
+/// The key "wished"; part names are those of the model. By default the wished part paints itself.
+std::optional<WishedPart> read_wished(const JsonObject& top, CurveReader& curves,
+                                      std::span<const char* const> part_names) {
+  const auto node = top.find("wished");
+  if (!node) return std::nullopt;
+  const std::vector<std::string> names(part_names.begin(), part_names.end());
+  const JsonObject wish = node->object({"of", "by", "radiosity_W_m2_nm"});
+  WishedPart wished{.radiosity = curves.zero()};
+  if (const auto of = wish.need("of")) wished.of = wished.by = of->choice(names);
+  if (const auto by = wish.find("by")) wished.by = by->choice(names);
+  if (const auto radiosity = wish.need("radiosity_W_m2_nm")) {
+    wished.radiosity = light(curves, *radiosity);
+  }
+  return wished;
 }
 
 /// What could not be read may well shine.
@@ -39,7 +56,7 @@ void read_faces(const JsonObject& top, CurveReader& curves, CubeFile& cube) {
   }
   if (const auto node = top.need("emission_W_m2_nm")) {
     const std::vector<JsonNode> faces = node->list(6, 6);
-    for (std::size_t i = 0; i < faces.size(); ++i) cube.emission[i] = emission(curves, faces[i]);
+    for (std::size_t i = 0; i < faces.size(); ++i) cube.emission[i] = light(curves, faces[i]);
     if (!faces.empty() && std::ranges::none_of(cube.emission, may_shine)) {
       node->fault("no face emits light", "give at least one face an emission above 0");
     }
@@ -76,7 +93,7 @@ void read_parts(const JsonObject& top, CurveReader& curves, BrickFile& brick) {
     const auto rho = may_lack ? reflectances.find(parts[i]) : reflectances.need(parts[i]);
     if (rho) brick.reflectance[i] = curves.reflectance(*rho).spectrum;
     if (const auto given = emissions.find(parts[i])) {
-      brick.emission[i] = emission(curves, *given);
+      brick.emission[i] = light(curves, *given);
     }
   }
   if (emission_node->is(JsonNode::Kind::object) &&
@@ -90,8 +107,8 @@ void read_parts(const JsonObject& top, CurveReader& curves, BrickFile& brick) {
 CubeFile read_cube(const std::string& path) {
   spectra::JsonFile file = spectra::read_json_file(path);
   CurveReader curves(file, spectra::kClosedFormGrid);
-  const JsonObject top =
-      file.root().object({"roomhue_cube", "form_factors", "reflectance", "emission_W_m2_nm"});
+  const JsonObject top = file.root().object(
+      {"roomhue_cube", "form_factors", "reflectance", "emission_W_m2_nm", "wished"});
   CubeFile cube;
   if (const auto version = top.need("roomhue_cube")) (void)version->whole_number(1, 1);
   if (const auto factors = top.need("form_factors")) {
@@ -99,6 +116,7 @@ CubeFile read_cube(const std::string& path) {
     cube.exact_form_factors = factors->choice(choices) == 1;
   }
   read_faces(top, curves, cube);
+  cube.wished = read_wished(top, curves, kCubeFaces);
   file.throw_faults();
   cube.notes = curves.notes();
   return cube;
@@ -109,7 +127,7 @@ BrickFile read_brick(const std::string& path) {
   CurveReader curves(file, spectra::kClosedFormGrid);
   const JsonObject top =
       file.root().object({"roomhue_brick", "width_m", "depth_m", "height_m", "furniture_height",
-                          "window", "reflectance", "emission_W_m2_nm"});
+                          "window", "reflectance", "emission_W_m2_nm", "wished"});
   BrickFile brick;
   if (const auto version = top.need("roomhue_brick")) (void)version->whole_number(1, 1);
   brick.width_m = top.number("width_m", kLength_m);
@@ -119,6 +137,7 @@ BrickFile read_brick(const std::string& path) {
       top.number("furniture_height", {.least = 0, .most = 1, .below_most = true});
   if (const auto window = top.need("window")) read_window(*window, brick);
   read_parts(top, curves, brick);
+  brick.wished = read_wished(top, curves, kBrickParts);
   file.throw_faults();
   brick.notes = curves.notes();
   return brick;

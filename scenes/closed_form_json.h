@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,10 +8,17 @@
 
 namespace scenes {
 
+/// The radiosity that part `of` shall have, to be reached by the reflectance of part `by`.
+struct WishedPart {
+  int of = 0, by = 0;
+  spectra::Spectrum radiosity;  ///< W m^-2 nm^-1
+};
+
 /// Faces in the order x0, x1, y0, y1, z0, z1: 0-1, 2-3, 4-5 are opposite. On the closed-form grid.
 struct CubeFile {
   bool exact_form_factors = false;  ///< false: 0.2 for every pair, as printed in [Neumann2004]
   std::array<spectra::Spectrum, 6> reflectance, emission;
+  std::optional<WishedPart> wished;
   std::vector<std::string> notes;
 };
 
@@ -21,8 +29,11 @@ struct BrickFile {
   double window_width_m = 0, window_height_m = 0, window_sill_m = 0, window_offset_m = 0;
   /// In the order of kBrickParts.
   std::vector<spectra::Spectrum> reflectance, emission;
+  std::optional<WishedPart> wished;
   std::vector<std::string> notes;
 };
+
+inline constexpr std::array kCubeFaces{"x0", "x1", "y0", "y1", "z0", "z1"};
 
 inline constexpr std::array kBrickParts{"floor",       "ceiling",    "window_wall", "window",
                                         "wall_1",      "wall_2",     "wall_3",      "furniture_1",

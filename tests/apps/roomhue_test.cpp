@@ -22,8 +22,9 @@ std::string bands(char quantity) {
 TEST(Roomhue, HelpAndVersionAreNoErrors) {
   EXPECT_EQ(roomhue("--help").exit_code, 0);
   EXPECT_THAT(roomhue("--version").out, StartsWith("roomhue "));
-  for (const char* command : {"check", "solve", "shift", "compare", "rank", "atlas", "mix",
-                              "appearance",                              "cube", "brick", "batch", "relight", "shader"}) {
+  for (const char* command :
+       {"check", "solve", "shift", "compare", "rank", "atlas", "mix", "inverse", "appearance",
+        "cube", "brick", "batch", "relight", "shader"}) {
     const ProgramRun run = roomhue(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_THAT(run.out, HasSubstr("Example: roomhue " + std::string(command))) << command;
@@ -221,6 +222,33 @@ TEST(Roomhue, BrickNamesItsParts) {
   EXPECT_EQ(first_line(folder / "radiosity.csv"),
             "nm,floor,ceiling,window_wall,window,wall_1,wall_2,wall_3,furniture_1,furniture_2,"
             "furniture_3");
+}
+
+TEST(Roomhue, CubeAnswersAWishWithAReflectanceThatRoomFilesTake) {
+  const TemporaryFolder folder;
+  nlohmann::json file = read_json(SOURCE_DIR "/scenes/rooms/closed_form/cube.json");
+  file["reflectance"] = {0.8, 0.8, 0.5, 0.5, 0.25, 0.85};
+  const auto cube = [&](const std::string& name) {
+    write_text(folder / (name + ".json"), file.dump());
+    return roomhue("cube " + (folder / (name + ".json")).string() + " --out " +
+                   (folder / name).string());
+  };
+  file["wished"] = {{"of", "y1"}, {"by", "z0"}, {"radiosity_W_m2_nm", 0.005}};
+  const ProgramRun run = cube("wish");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(first_line(folder / "wish" / "wished.csv"),
+            "nm,wished,least,limit,reflectance,radiosity,reach");
+  const nlohmann::json wished = read_json(folder / "wish" / "run.json")["wished"];
+  EXPECT_GT(wished["attained"], 0);
+  EXPECT_EQ(wished["too_bright_nm"][0][0], 360);  // where the lamp is dim
+  EXPECT_EQ(wished["too_dark_nm"][0][1], 830);    // where the walls are light without it
+  EXPECT_THAT(run.err, HasSubstr("360.."));
+
+  file.erase("wished");
+  file["reflectance"][4] = {{"file", "wish/reflectance.csv"}, {"name", "z0"}};
+  ASSERT_EQ(cube("painted").exit_code, 0);
+  EXPECT_EQ(read_text(folder / "painted" / "radiosity.csv"),
+            read_text(folder / "wish" / "radiosity.csv"));
 }
 
 TEST(Roomhue, PipedOutputHasNeitherColourNorProgress) {

@@ -86,6 +86,24 @@ TEST(ClosedFormJson, BrickWithoutFurnitureNeedsNoReflectanceForIt) {
   EXPECT_THAT(faults_of([&] { (void)brick(file); }), IsEmpty());
 }
 
+TEST(ClosedFormJson, WishNamesItsPartsAndPaintsItsOwnByDefault) {
+  json file = sample_brick();
+  EXPECT_FALSE(brick(file).wished);
+  file["wished"] = {{"of", "wall_2"}, {"radiosity_W_m2_nm", 0.02}};
+  const auto own = brick(file).wished;
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own->of, 5);
+  EXPECT_EQ(own->by, 5);
+  EXPECT_EQ(own->radiosity.values[470], 0.02);
+  file["wished"]["by"] = "ceiling";
+  EXPECT_EQ(brick(file).wished->by, 1);
+
+  json box = sample_cube();
+  box["wished"] = {{"of", "y1"}, {"by", "z0"}, {"radiosity_W_m2_nm", 0.02}};
+  EXPECT_EQ(cube(box).wished->of, 3);
+  EXPECT_EQ(cube(box).wished->by, 4);
+}
+
 TEST(ClosedFormJson, SampleFilesAreRead) {
   const std::string folder = std::string(SOURCE_DIR) + "/scenes/rooms/closed_form/";
   EXPECT_TRUE(read_cube(folder + "cube.json").exact_form_factors);
