@@ -85,10 +85,7 @@ void print_row(const std::string& name, std::vector<Case> cases) {
              mean(cases, [](const Case& c) { return c.all_sides; }));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) try {
-  const std::size_t every = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 1;
+void print_table(std::size_t every) {
   const std::vector<spectra::Samples> lamps{spectra::illuminant("A"), spectra::illuminant("D65"),
                                             spectra::find_lamp("houser:48").spectrum->samples};
   const auto& papers = spectra::atlas("munsell-nickerson").entries;
@@ -111,9 +108,16 @@ int main(int argc, char** argv) try {
   fmt::print("| method | mean | 95th percentile | largest | mean, walls | mean, all sides |\n");
   fmt::print("| --- | --- | --- | --- | --- | --- |\n");
   for (const apps::ColourMethod& method : methods) print_row(method.name, cases[method.name]);
-  return 0;
+}
 
-} catch (const std::exception& error) {
-  fmt::print(stderr, "{}\n", error.what());
-  return 1;
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    print_table(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 1);
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
 }
