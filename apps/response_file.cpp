@@ -36,6 +36,33 @@ MatrixXd matrix_of(const Json& json) {
   return Eigen::Map<const MatrixXd>(values.data(), rows, columns);
 }
 
+/// Sizes that fit together, whatever the numbers are.
+bool is_sound(const solver::ReducedViews& views) {
+  const auto& transfers = views.room.transfers;
+  const auto& bands = views.room.bands;
+  if (static_cast<int>(bands.size()) != views.grid.count || transfers.empty()) return false;
+  const auto outputs = transfers.front().phi.rows();
+  const auto lights = bands.empty() ? 0 : bands.front().gamma.cols();
+  for (const auto& t : transfers) {
+    const auto n = static_cast<Index>(t.group.size());
+    if (t.k.rows() != n || t.k.cols() != n || t.phi.rows() != outputs || t.phi.cols() != n) {
+      return false;
+    }
+    for (const int g : t.group) {
+      if (g < 0 || g >= views.room.groups) return false;
+    }
+  }
+  for (const auto& b : bands) {
+    if (b.transfer < 0 || b.transfer >= static_cast<int>(transfers.size())) return false;
+    const auto n = transfers[static_cast<std::size_t>(b.transfer)].k.rows();
+    if (b.gamma.rows() != n || b.gamma.cols() != lights || b.constant.rows() != outputs ||
+        b.constant.cols() != lights) {
+      return false;
+    }
+  }
+  return true;
+}
+
 Json shape_of(const scenes::Room& room) {
   Json shape{{"height_m", room.height_m}};
   for (const Eigen::Vector2d& corner : room.plan_m) shape["plan_m"].push_back(list_of(corner));
@@ -147,7 +174,7 @@ std::optional<solver::ReducedViews> load_response(const std::filesystem::path& p
                                   .gamma = matrix_of(b.at("gamma")),
                                   .constant = matrix_of(b.at("constant"))});
     }
-    return views;
+    return is_sound(views) ? std::optional(std::move(views)) : std::nullopt;
   } catch (const std::exception&) {
     return std::nullopt;  // whoever damaged it, solving anew mends it
   }
