@@ -6,6 +6,7 @@
 #include "apps/atlas_picture.h"
 #include "apps/commands.h"
 #include "apps/csv.h"
+#include "apps/paint_wish.h"
 #include "apps/painted_room.h"
 #include "apps/terminal.h"
 #include "paints/atlas_map.h"
@@ -123,6 +124,7 @@ Exit map_atlas(const RankCommand& command, const Session& session) {
   const paints::Atlas atlas = paints::load_atlas(
       options.atlas.empty() ? run.room.paint.front().atlas : options.atlas, run.room.grid);
   run.clock.stop("atlas");
+  require_painted_view(run);
   double highest = kHighestReflectance;
   for (const paints::Paint& p : atlas.paints) {
     highest = std::max(highest, p.reflectance.values.maxCoeff());

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "appearance/spectra/bilinear.h"
 #include "appearance/spectra/display_colour.h"
@@ -112,14 +113,16 @@ solver::ColourModel diagonal_for_lamps(const ComparedRoom& compared) {
 }
 
 /// What makes a reflectance from the linear sRGB of a surface, or from its tristimulus values.
-using Upsampling = std::function<Spectrum(const Spectrum& surface)>;
+using Upsampling = std::function<spectra::Reconstruction(const Spectrum& surface)>;
 
 MethodColours solve_reconstructed(const ComparedRoom& compared, const Upsampling& upsample) {
   constexpr double kAlmostAll = 1 - 1e-6;  // the solver takes no perfect reflector
   scenes::Room room = compared.room;
-  std::vector<std::string> clipped;
+  std::vector<std::string> clipped, unreached;
   for (scenes::Surface& surface : room.surfaces) {
-    const ArrayXd made = upsample(surface.reflectance).values;
+    const spectra::Reconstruction found = upsample(surface.reflectance);
+    const ArrayXd& made = found.reflectance.values;
+    if (!found.converged) unreached.push_back(surface.name);
     surface.reflectance.values = made.max(0).min(kAlmostAll);
     if ((made - surface.reflectance.values).abs().maxCoeff() > 1e-6) {
       clipped.push_back(surface.name);
@@ -130,6 +133,10 @@ MethodColours solve_reconstructed(const ComparedRoom& compared, const Upsampling
   if (!clipped.empty()) {
     colours.note = fmt::format("clipped to 0..1: {}", fmt::join(clipped, ", "));
   }
+  if (!unreached.empty()) {
+    colours.note += fmt::format("{}no spectrum has quite the colour of: {}",
+                                clipped.empty() ? "" : "; ", fmt::join(unreached, ", "));
+  }
   return colours;
 }
 
@@ -139,17 +146,19 @@ const Spectrum& d65() {
   return light;
 }
 
-Spectrum smits_of(const Spectrum& surface) {
+spectra::Reconstruction smits_of(const Spectrum& surface) {
   const spectra::RgbSpace& srgb = spectra::rgb_space("srgb");
   static const spectra::SmitsBasis basis = spectra::smits_basis(srgb, spectra::kTransportGrid);
-  return spectra::smits_reflectance(basis, spectra::rgb_of_reflectance(srgb, surface));
+  return {
+      .reflectance = spectra::smits_reflectance(basis, spectra::rgb_of_reflectance(srgb, surface)),
+      .converged = true};
 }
 
 /// Black and what else the search cannot reach comes as near as it got.
 template <spectra::Reconstruction (*kReconstruct)(const spectra::RelativeXyz&, const Spectrum&)>
-Spectrum reconstruction_of(const Spectrum& surface) {
-  if ((surface.values == 0).all()) return surface;
-  return kReconstruct(spectra::relative_xyz(surface, d65()), d65()).reflectance;
+spectra::Reconstruction reconstruction_of(const Spectrum& surface) {
+  if ((surface.values == 0).all()) return {.reflectance = surface, .converged = true};
+  return kReconstruct(spectra::relative_xyz(surface, d65()), d65());
 }
 
 ColourMethod groups_method(int groups) {
@@ -192,8 +201,14 @@ std::vector<ColourMethod> judged_methods() {
   methods.push_back(model_method("display:spectral", "display matrices"));
   methods.push_back({.name = "display:lamps",
                      .what = "display factors, exact under the room's lamps",
-                     .solve = [](const ComparedRoom& room) {
-                       return solve_model(room, diagonal_for_lamps(room));
+                     .solve = [](const ComparedRoom& room) -> MethodColours {
+                       try {
+                         return solve_model(room, diagonal_for_lamps(room));
+                       } catch (const std::invalid_argument& error) {
+                         return {.sent = std::vector<spectra::Xyz>(room.surfaces.size()),
+                                 .converged = false,
+                                 .note = error.what()};
+                       }
                      }});
   methods.push_back(upsampling_method("smoothest", "31 bands, smoothest reflectance of its sRGB",
                                       reconstruction_of<spectra::reconstruct_reflectance>));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <stdexcept>
 
 #include "apps/commands.h"
 #include "apps/compare_report.h"
@@ -16,6 +17,7 @@ constexpr std::size_t kRepeats = 3;
 /// out, with a note.
 std::vector<solver::ViewedPoint> views_of_surfaces(RoomRun& run) {
   std::vector<solver::ViewedPoint> views;
+  if (run.room.view) (void)viewed_point(run);  // a bad view is a fault, not a surface left out
   for (int s = 0; s < static_cast<int>(run.room.surfaces.size()); ++s) {
     const scenes::Surface& surface = run.room.surfaces[static_cast<std::size_t>(s)];
     const bool lamp = (surface.exitance.values > 0).any();
@@ -56,7 +58,11 @@ std::vector<Eye> eyes_of(RoomRun& run, const std::vector<solver::ViewedPoint>& v
   for (std::size_t k = 0; k < views.size(); ++k) {
     const appearance::RoomView view = view_of(run, solution, k);
     run.record["viewing"].push_back(describe(view, run.room, views[k]));
-    eyes.push_back(eye_of(view));
+    try {
+      eyes.push_back(eye_of(view));
+    } catch (const std::domain_error& error) {
+      throw room_fault(run, "/lights", error.what(), "give light that the eye can adapt to");
+    }
   }
   return eyes;
 }

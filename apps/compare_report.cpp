@@ -56,6 +56,7 @@ std::string worst_of(const Comparison& comparison, const MethodVerdict& method) 
 
 std::string answer(const Comparison& comparison) {
   const MethodVerdict& best = *sorted(comparison, has_three_numbers).front();
+  if (!best.colours.converged) return "**No.** No method with three numbers found an answer.\n";
   const double worst = de00_of(best).worst;
   const char* verdict = worst < 1 ? "Yes, with the right method." : worst < 2 ? "Nearly." : "No.";
   return fmt::format(
@@ -105,8 +106,12 @@ std::string paragraph(const Comparison& comparison, const Family& family) {
 
 std::string run_times(const Comparison& comparison) {
   const double judge = comparison.methods.front().seconds;
-  const auto fastest = std::ranges::min_element(comparison.methods, {}, &MethodVerdict::seconds);
-  const auto slowest = std::ranges::max_element(comparison.methods, {}, &MethodVerdict::seconds);
+  const MethodVerdict *fastest = &comparison.methods.front(), *slowest = fastest;
+  for (const MethodVerdict& method : comparison.methods) {
+    if (!method.colours.converged) continue;
+    if (method.seconds < fastest->seconds) fastest = &method;
+    if (method.seconds > slowest->seconds) slowest = &method;
+  }
   return fmt::format(
       "The judge took {:.1f} ms, the fastest method ({}) {:.1f} ms, the slowest ({}) {:.1f} ms. "
       "What "
@@ -120,9 +125,10 @@ std::string markdown_table(const Comparison& comparison) {
       "| --- | --- | --- | --- | --- | --- |\n";
   for (const MethodVerdict& method : comparison.methods) {
     const MeanAndWorst de00 = de00_of(method), jab = distance_of(method);
-    text += fmt::format("| {} | {:.2f} | {} | {:.2f} | {:.2f} | {:.1f} |\n", method.name, de00.mean,
-                        de00.worst > 0 ? worst_of(comparison, method) : "0.00", jab.mean, jab.worst,
-                        1e3 * method.seconds);
+    text += fmt::format(
+        "| {} | {:.2f} | {} | {:.2f} | {:.2f} | {} |\n", method.name, de00.mean,
+        de00.worst > 0 ? worst_of(comparison, method) : "0.00", jab.mean, jab.worst,
+        method.colours.converged ? fmt::format("{:.1f}", 1e3 * method.seconds) : "no answer");
   }
   return text;
 }

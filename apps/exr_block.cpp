@@ -32,14 +32,18 @@ void for_rows(std::int64_t rows, int threads, const Job& job) {
   work();
 }
 
+/// Most samples that so many pixels can hold, wherever they begin.
+std::int64_t samples_in(std::int64_t pixels, int sampling) {
+  return (pixels + sampling - 2) / sampling + 1;
+}
+
 }  // namespace
 
 ExrBlock::ExrBlock(const Imf::ChannelList& channels, std::int64_t width, std::int64_t height) {
   for (auto it = channels.begin(); it != channels.end(); ++it) {
     const Imf::Channel& channel = it.channel();
-    // One sample more than fits evenly: the window may begin between samples.
-    const std::int64_t columns = width / channel.xSampling + 1;
-    const std::int64_t rows = height / channel.ySampling + 1;
+    const std::int64_t columns = samples_in(width, channel.xSampling);
+    const std::int64_t rows = samples_in(height, channel.ySampling);
     const auto row_bytes = static_cast<std::size_t>(columns * bytes_of(channel.type));
     for (std::size_t c = 0; c < 3; ++c) {
       if (it.name() == std::string_view("RGB").substr(c, 1)) rgb_[c] = planes_.size();
@@ -56,8 +60,8 @@ std::int64_t ExrBlock::bytes(const Imf::ChannelList& channels, std::int64_t widt
                              std::int64_t height) {
   std::int64_t total = 0;
   for (auto it = channels.begin(); it != channels.end(); ++it) {
-    total += (width / it.channel().xSampling + 1) * (height / it.channel().ySampling + 1) *
-             bytes_of(it.channel().type);
+    total += samples_in(width, it.channel().xSampling) *
+             samples_in(height, it.channel().ySampling) * bytes_of(it.channel().type);
   }
   return total;
 }

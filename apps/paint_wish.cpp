@@ -26,11 +26,12 @@ const scenes::TargetColour& target_of(const RoomRun& run, std::size_t group) {
   return *run.room.paint[group].target;
 }
 
-paints::Target wished(const RoomRun& run, const scenes::TargetColour& target) {
+paints::Target wished(const RoomRun& run, const scenes::TargetColour& target, std::size_t group) {
   if (const auto* reflectance = std::get_if<spectra::Spectrum>(&target.colour)) {
     const appearance::Correlates correlates = seen_on_swatch(*reflectance).correlates;
     if (!correlates.status.all_defined()) {
-      throw room_fault(run, "/paint/target", "CIECAM02 does not define how this swatch looks",
+      throw room_fault(run, pointer(run, group, "target"),
+                       "CIECAM02 does not define how this swatch looks",
                        "choose a less saturated target");
     }
     return paints::target_of(correlates);

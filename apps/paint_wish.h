@@ -10,7 +10,8 @@ namespace apps {
 
 /// How it looks in the standard condition.
 /// @throws spectra::InputError  if the model does not define that
-[[nodiscard]] paints::Target wished(const RoomRun& run, const scenes::TargetColour& target);
+[[nodiscard]] paints::Target wished(const RoomRun& run, const scenes::TargetColour& target,
+                                    std::size_t group = 0);
 
 /// @throws spectra::InputError  if the eye looks at a surface that the group does not paint
 void require_painted_view(const RoomRun& run, std::size_t group = 0);

@@ -15,6 +15,8 @@ PaintedRoom::PaintedRoom(RoomRun& run, const RankOptions& options, const std::fi
                                      : std::filesystem::path(options.response)),
       key_(response_key(run.room, options.room)) {
   require_writable(out);
+  if (file_.has_parent_path()) require_writable(file_.parent_path());
+  require_free_for_response(file_);
   if (auto known = load_response(file_, key_);
       known && known->room.highest_reflectance >= highest_reflectance) {
     views_ = std::move(*known);

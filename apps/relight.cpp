@@ -100,6 +100,11 @@ std::string to_text(const PixelStatistics& s) {
 
 Exit relight_picture(const RelightCommand& command, const Session& session) {
   const Eigen::Matrix3d matrix = matrix_of(command);
+  if (!matrix.cast<float>().allFinite()) {
+    throw spectra::InputError({{.file = "--from, --to",
+                                .problem = "the change of light is beyond all floats",
+                                .remedy = "give lights of like size"}});
+  }
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   const int threads = session.threads > 0 ? session.threads : std::max(cores, 1);
   ExrReport report;

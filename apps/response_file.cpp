@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "appearance/spectra/input_error.h"
 #include "apps/sha256.h"
 
 namespace apps {
@@ -140,14 +141,22 @@ OutputFile response_file(const std::filesystem::path& path, const std::string& k
   return {.path = path, .text = json.dump() + "\n"};
 }
 
+void require_free_for_response(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return;
+  std::string start(64, '\0');
+  std::ifstream(path).read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (start.find(kFormat) != start.npos) return;
+  throw spectra::FileError(path.string() +
+                           ": exists and is no room response; name another file with --response");
+}
+
 std::optional<solver::ReducedViews> load_response(const std::filesystem::path& path,
                                                   const std::string& key) {
   std::ifstream file(path);
   const Json json = Json::parse(file, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || json.value(kFormat, 0) != kVersion || json.value("key", "") != key) {
-    return std::nullopt;
-  }
+  if (!json.is_object()) return std::nullopt;
   try {
+    if (json.at(kFormat) != kVersion || json.at("key") != key) return std::nullopt;
     solver::ReducedViews views{.grid = {.first_nm = json.at("grid").at(0),
                                         .step_nm = json.at("grid").at(1),
                                         .count = json.at("grid").at(2)},

@@ -17,6 +17,9 @@ namespace apps {
 [[nodiscard]] OutputFile response_file(const std::filesystem::path& path, const std::string& key,
                                        const solver::ReducedViews& views);
 
+/// @throws spectra::FileError  if there is a file that is no room response: it is somebody else's
+void require_free_for_response(const std::filesystem::path& path);
+
 /// Nothing if there is no such file, it belongs to another key, or it is damaged.
 [[nodiscard]] std::optional<solver::ReducedViews> load_response(const std::filesystem::path& path,
                                                                 const std::string& key);

@@ -36,7 +36,7 @@ Groups groups_of(const RoomRun& run, const RankOptions& options) {
     const scenes::TargetColour& target = target_of(run, g);
     require_painted_view(run, g);
     all.groups.push_back({.atlas = &all.atlases[g],
-                          .target = wished(run, target),
+                          .target = wished(run, target, g),
                           .weight = run.room.paint[g].weight});
     all.highest_reflectance =
         std::max(all.highest_reflectance, highest_reflectance(all.atlases[g], target));
@@ -74,13 +74,14 @@ std::string guarantee(const paints::SchemeRanking& ranking) {
 
 std::string schemes_csv(const RoomRun& run, const Groups& groups,
                         const paints::SchemeRanking& ranking, const std::vector<double>& solved) {
-  std::string header = "rank,distance";
+  CsvText csv;
+  csv.cell("rank").cell("distance");
   for (const scenes::PaintTask& group : run.room.paint) {
     for (const char* what : {"paint", "distance", "J", "a_C", "b_C", "C", "h_deg", "H"}) {
-      header += fmt::format(",{} {}", group.name, what);
+      csv.cell(fmt::format("{} {}", group.name, what));
     }
   }
-  CsvText csv(header + ",distance_solved");
+  csv.cell("distance_solved").end_row();
   for (std::size_t i = 0; i < ranking.schemes.size(); ++i) {
     const paints::Scheme& scheme = ranking.schemes[i];
     csv.cell(static_cast<int>(i) + 1).cell(scheme.distance);
@@ -186,6 +187,11 @@ Json scheme_list(const Groups& groups, const paints::SchemeRanking& ranking) {
 }  // namespace
 
 RunResult rank_schemes(RoomRun& run, const RankOptions& options, const std::filesystem::path& out) {
+  const auto& [lightness, chroma, hue_deg] = options.windows;
+  if (lightness || chroma || hue_deg) {
+    throw room_fault(run, "/paint", "names several groups, and windows are for one",
+                     "leave out --max-dJ, --max-dC and --max-dh");
+  }
   const Groups groups = groups_of(run, options);
   run.clock.stop("atlas");
   PaintedRoom painted(run, options, out, groups.highest_reflectance);

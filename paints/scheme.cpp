@@ -178,8 +178,9 @@ SchemeRanking Search::run() {
     try_all(all, Choice(groups_.size(), 0));
   } else {
     std::ranges::sort(sizes, std::greater{});
-    const auto two = static_cast<std::int64_t>(sizes[0] * sizes[1]);
-    ranking.differing = groups_.size() > 2 && two <= options_.most_combinations ? 2 : 1;
+    const bool two = groups_.size() > 2 &&
+                     static_cast<std::int64_t>(sizes[0] * sizes[1]) <= options_.most_combinations;
+    ranking.differing = two ? 2 : 1;
     descend(static_cast<std::size_t>(ranking.differing));
   }
   for (const Candidate& c : best_.kept()) {

@@ -43,7 +43,7 @@ struct SchemeRanking {
 
 /// Combinations of one paint per group by the weighted mean of their distances. Exhaustive up to
 /// `most_combinations`; beyond, a descent in which as many groups as that allows are exchanged at
-/// once, from the best paint of each group in a room painted like its targets' neighbours.
+/// once, from the best paint of the first group beside the first paints of the others.
 /// A combination is left out if the model leaves one of its walls undefined.
 /// @throws std::invalid_argument  if there are no groups, an atlas is empty or a weight is not
 /// positive

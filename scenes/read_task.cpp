@@ -140,6 +140,9 @@ void RoomReader::read_paint_group(const JsonNode& node) {
   if (const auto target = paint.find("target")) read_target(*target, task);
   if (const auto top = paint.find("top")) task.top = top->whole_number(1, 1'000'000);
   if (paint.has("weight")) task.weight = paint.number("weight", kWeight);
+  if (std::ranges::find(room_.paint, task.name, &PaintTask::name) != room_.paint.end()) {
+    node.fault(fmt::format("there are two groups \"{}\"", task.name), "rename one");
+  }
   room_.paint.push_back(std::move(task));
 }
 

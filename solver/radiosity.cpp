@@ -15,8 +15,6 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-constexpr double kClosed = 1e-9;  ///< closure defect up to which F has norm 1, as bounds assume
-
 void require(bool holds, const char* what, double value, const char* wanted) {
   if (!holds) throw std::invalid_argument(fmt::format("{} {}; want {}", what, value, wanted));
 }
@@ -194,7 +192,9 @@ RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& em
   system.contraction = system.reflector.contraction();
   solution.proven = (system.contraction < 1).all();
   if (!solution.proven) {
-    system.contraction = bounce_growth(exchange, system.reflector).min(system.contraction);
+    const ArrayXd proven = system.contraction;
+    system.contraction =
+        (proven < 1).select(proven, bounce_growth(exchange, system.reflector).min(proven));
   }
   RadiosityOptions chosen = options;
   chosen.method = solution.method;

@@ -3,6 +3,9 @@
 
 namespace solver {
 
+/// Closure defect up to which F has norm 1, as the bounds assume.
+inline constexpr double kClosed = 1e-9;
+
 /// A checked system of bands that all carry light, and the certificate every method stops by.
 struct RadiositySystem {
   const ExchangeAreas& exchange;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "solver/class_projection.h"
+#include "solver/radiosity_methods.h"
 
 namespace solver {
 namespace {
@@ -22,8 +23,9 @@ constexpr Index kColumnsAtOnce = 32;  ///< of one pass of the solver
 /// Share of a vector that must be new to the basis, in units of the solver's error: less would be
 /// made of that error.
 constexpr double kNewDirection = 1e4;
-constexpr int kHeldOut = 2;       ///< solves of all bands per light
-constexpr double kTighter = 0.1;  ///< where held-out solves disagree
+constexpr int kHeldOut = 2;        ///< solves of all bands; with several lights each band has
+constexpr int kHeldOutOfMany = 6;  ///< another light in each
+constexpr double kTighter = 0.1;   ///< where held-out solves disagree
 
 /// One column of a solve, and what is kept of its answer.
 struct Column {
@@ -271,7 +273,11 @@ bool Reduction::grow() {
   for (const ReducedClass& c : classes_) sources += c.sources();
   const int at_once =
       static_cast<int>(std::max<Index>(1, kColumnsAtOnce / std::max<Index>(1, sources)));
-  while (solves_ < options_.most_solves * painted_.groups) {
+  Index most_sources = 1;
+  for (const ReducedClass& c : classes_) most_sources = std::max(most_sources, c.sources());
+  const double most = static_cast<double>(options_.most_solves * painted_.groups) *
+                      static_cast<double>(most_sources);
+  while (solves_ < most) {
     std::vector<Column> snapshots;
     for (ReducedClass& c : classes_) {
       for (Column& column : worst_columns(c, at_once)) snapshots.push_back(std::move(column));
@@ -354,38 +360,38 @@ void Reduction::measure(ReducedRoom& reduced) {
     return 1 - std::pow(1 - options_.highest_reflectance, turn - std::floor(turn));
   };
   const double before = solves_;
-  for (std::size_t l = 0; l < lights_.size(); ++l) {
-    for (int solve_number = 0; solve_number < kHeldOut; ++solve_number) {
-      std::vector<Column> columns;
-      std::vector<int> bands;
-      for (const ReducedClass& c : classes_) {
-        for (const int band : c.light.bands) {
-          VectorXd paint(painted_.groups);
-          for (int j = 0; j < painted_.groups; ++j) {
-            paint[j] = reflectance(band, solve_number + kHeldOut * static_cast<int>(l), j);
-          }
-          columns.push_back({.of = &c,
-                             .emission = lights_[l].emission.col(band),
-                             .direct = lights_[l].direct.col(band),
-                             .paint = paint});
-          bands.push_back(band);
-        }
+  const int lights = static_cast<int>(lights_.size());
+  reduced.held_out = lights > 1 ? kHeldOutOfMany : kHeldOut;
+  for (int number = 0; number < reduced.held_out; ++number) {
+    std::vector<Column> columns;
+    std::vector<std::pair<int, int>> bands;  // and the light of each
+    for (const ReducedClass& c : classes_) {
+      for (const int band : c.light.bands) {
+        VectorXd paint(painted_.groups);
+        for (int j = 0; j < painted_.groups; ++j) paint[j] = reflectance(band, number, j);
+        const int light = (band + number) % lights;
+        const SourceLight& source = lights_[static_cast<std::size_t>(light)];
+        columns.push_back({.of = &c,
+                           .emission = source.emission.col(band),
+                           .direct = source.direct.col(band),
+                           .paint = paint});
+        bands.emplace_back(band, light);
       }
-      solve(columns);
-      for (std::size_t k = 0; k < columns.size(); ++k) {
-        const VectorXd y = reduced.outputs(bands[k], columns[k].paint).col(static_cast<Index>(l));
-        for (Index o = 0; o < y.size(); ++o) {
-          const double solved = std::abs(columns[k].outputs[o]);
-          if (!(solved > 0)) continue;
-          reduced.largest_error =
-              std::max(reduced.largest_error, std::abs(y[o] - columns[k].outputs[o]) / solved);
-        }
+    }
+    solve(columns);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const VectorXd y = reduced.outputs(bands[k].first, columns[k].paint).col(bands[k].second);
+      for (Index o = 0; o < y.size(); ++o) {
+        const double solved = std::abs(columns[k].outputs[o]);
+        if (!(solved > 0)) continue;
+        const double error = std::abs(y[o] - columns[k].outputs[o]) / solved;
+        if (!(error <= reduced.largest_error)) reduced.largest_error = error;  // NaN counts
       }
-      ++reduced.held_out;
     }
   }
   solves_ = before;
-  reduced.converged = reduced.largest_error <= options_.relative_error;
+  reduced.converged =
+      reduced.largest_error <= options_.relative_error && exchange_.closure_defect <= kClosed;
 }
 
 void check(const ExchangeAreas& exchange, const std::vector<SourceLight>& lights,

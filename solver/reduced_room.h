@@ -28,7 +28,7 @@ struct ReductionOptions {
   double highest_reflectance = 0.999;  ///< of a paint
   double relative_error = 1e-6;        ///< of every output, aimed at and then measured
   double solver_error = 1e-12;         ///< of the solves that the basis is made of
-  int most_solves = 30;  ///< of all bands and for each group, held-out ones not counted
+  int most_solves = 30;                ///< of all bands, for each group and each independent light
 };
 
 /// A room seen through its outputs y, as a function of the paints' reflectances rho alone. In each

@@ -186,13 +186,18 @@ void RoomResponse::add_band(const ReducedViews& views, int band, const VectorXd&
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(k);
   const MatrixXd from_pole = phi * eigen.eigenvectors();
   const MatrixXd into_pole = eigen.eigenvectors().transpose() * gamma;
+  // The largest part that a pole can take of any output, by the lighting's own brightness.
+  MatrixXd relative = into_pole;
+  for (Index l = 0; l < relative.cols(); ++l) {
+    relative.col(l) /= std::max(constant.col(l).norm(), 1e-300);
+  }
   const ArrayXd most =
-      highest_reflectance_ / (1 - highest_reflectance_ * eigen.eigenvalues().array());
+      (highest_reflectance_ / (1 - highest_reflectance_ * eigen.eigenvalues().array())).abs();
   const ArrayXd loudest =
-      (from_pole.colwise().norm().transpose().array() * into_pole.rowwise().norm().array() * most);
+      from_pole.colwise().norm().transpose().array() * relative.rowwise().norm().array() * most;
   std::size_t kept = 0;
   for (Index i = 0; i < k.rows(); ++i) {
-    if (!(loudest[i] > kSilentPole * (loudest.maxCoeff() + constant.norm()))) continue;
+    if (loudest[i] <= kSilentPole) continue;
     if (kept == pole_.size()) add_pole();
     pole_[kept][band] = eigen.eigenvalues()[i];
     for (std::size_t l = 0; l < sums_.size(); ++l) {

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kMostPlannedRows = 2000;  ///< rows whose pairs the plan counts
 constexpr int kFloatCopies = 8,
-              kDoubleCopies = 14;  ///< of patch x band arrays alive at the peak of a solve
+              kLightingCopies = 8,  ///< of the same, in double, while light is reduced
+    kDoubleCopies = 14;             ///< of patch x band arrays alive at the peak of a solve
 
 /// Seconds of one core, measured on a 2.5 GHz server core: a guide for people, nothing depends on
 /// it.
@@ -76,11 +77,13 @@ double estimated_patches(const scenes::Room& room, double patch_m) {
   return area / (patch_m * patch_m);
 }
 
-double bytes_for(double patches, int bands) {
+double bytes_for(double patches, const scenes::Room& room) {
+  const int bands = room.grid.count;
+  const double lightings = 1 + static_cast<double>(room.scenarios.size());
   const double padded = std::ceil(bands / 16.0) * 16;
   return patches * patches / 2 * sizeof(float) +
          patches * padded * (kFloatCopies * sizeof(float) + kDoubleCopies * sizeof(double)) +
-         2000 * patches;
+         patches * bands * lightings * kLightingCopies * sizeof(double) + 2000 * patches;
 }
 
 void require_memory(double bytes, std::int64_t limit, double patch_m) {
@@ -138,7 +141,7 @@ Plan plan_with(const scenes::Room& room, const scenes::PatchMesh& mesh,
                const Visibility& visibility) {
   Plan plan{.patches = mesh.size(), .bands = lit_bands(room)};
   count_pairs(mesh, visibility, plan);
-  plan.memory_bytes = static_cast<std::int64_t>(bytes_for(mesh.size(), plan.bands));
+  plan.memory_bytes = static_cast<std::int64_t>(bytes_for(mesh.size(), room));
   const double n = mesh.size();
   plan.expected_seconds = kPairSeconds * static_cast<double>(plan.pairs) +
                           kOccludablePairSeconds * static_cast<double>(plan.occludable_pairs) +
@@ -189,7 +192,7 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   const double patch_m = options.patch_m > 0 ? options.patch_m : room.patch_m;
   const std::int64_t limit =
       options.memory_limit_bytes > 0 ? options.memory_limit_bytes : available_memory_bytes();
-  require_memory(bytes_for(estimated_patches(room, patch_m), room.grid.count), limit, patch_m);
+  require_memory(bytes_for(estimated_patches(room, patch_m), room), limit, patch_m);
 
   Stopwatch watch;
   RoomTransport t;
