@@ -41,7 +41,7 @@ struct Recipes {
   RecipeSearch search;
 };
 
-/// The mixtures that look nearest to the target in the room, which is asked about a thousand times
+/// The mixtures that look nearest to the target in the room, which is asked some thousand times
 /// and from one thread. Every base and pair is tried; every triple that a bound does not exclude,
 /// unless the atlas has more than 700 bases; a fourth base is added where it brings the best
 /// triples nearer. All are refined with the room itself and exact slopes, then brought to whole
