@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -91,23 +92,45 @@ bool held(double rho, double gradient, double most) {
   return (rho <= 0 && gradient > 0) || (rho >= most && gradient < 0);
 }
 
-/// Gauss-Newton: the reflectance within the bounds that is best if the appearance were linear.
-VectorXd linear_best(const Penalty& penalty, const Look& at, double most) {
-  const Index rows = at.missed.size();
-  MatrixXd a(rows + kBands - 1, kBands);
-  a << at.slope, std::sqrt(penalty.weight) * differences();
-  VectorXd b = VectorXd::Zero(a.rows());
-  b.head(rows) = at.slope * at.rho - at.missed - penalty.shift;
+/// The penalty's second derivatives, those of the appearance by differences of its slope.
+MatrixXd curvature(Wishes wishes, const InverseOptions& options, const Penalty& penalty,
+                   const Look& at) {
+  MatrixXd second(kBands, kBands);
+  const VectorXd now = at.slope.transpose() * (at.missed + penalty.shift);
+  for (Index k = 0; k < kBands; ++k) {
+    const double step = at.rho[k] > 0.5 * options.most ? -1e-6 : 1e-6;
+    VectorXd rho = at.rho;
+    rho[k] += step;
+    const MatrixXd slope = look(wishes, options, rho).slope;
+    second.col(k) = (slope.transpose() * (at.missed + penalty.shift) - now) / step;
+  }
+  return (second + second.transpose()) / 2 + at.slope.transpose() * at.slope +
+         penalty.weight * differences().transpose() * differences();
+}
+
+/// Newton: the reflectance within the bounds that is best if the penalty were quadratic. Where it
+/// curves down it is taken to curve up as much, so that the step leads downhill.
+VectorXd quadratic_best(const Look& at, const VectorXd& gradient, const MatrixXd& curvature,
+                        double most) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(curvature);
+  const Eigen::ArrayXd values = eigen.eigenvalues().array().abs();
+  const VectorXd root = values.max(1e-14 * values.maxCoeff()).sqrt();
+  const MatrixXd a = root.asDiagonal() * eigen.eigenvectors().transpose();
+  const VectorXd b =
+      a * at.rho - root.cwiseInverse().asDiagonal() * (eigen.eigenvectors().transpose() * gradient);
   return bounded_least_squares(a, b, VectorXd::Zero(kBands), VectorXd::Constant(kBands, most),
                                at.rho);
 }
 
-/// Gauss-Newton steps within the bounds until the penalty falls no more.
+/// Newton steps within the bounds until the penalty falls no more.
 Look minimised(Wishes wishes, const InverseOptions& options, const Penalty& penalty, Look at) {
   constexpr int kMaxSteps = 200;
   for (int count = 0; count < kMaxSteps; ++count) {
-    const VectorXd best = linear_best(penalty, at, options.most), step = best - at.rho;
-    const double value = penalty.value(at), slope = penalty.gradient(at).dot(step);
+    const VectorXd gradient = penalty.gradient(at);
+    const VectorXd best =
+        quadratic_best(at, gradient, curvature(wishes, options, penalty, at), options.most);
+    const VectorXd step = best - at.rho;
+    const double value = penalty.value(at), slope = gradient.dot(step);
     bool fell = false;
     for (double length = 1; length > 1e-9 && slope < 0 && !fell; length /= 2) {
       // A whole step ends exactly on the bounds that it meets.
@@ -166,7 +189,7 @@ InverseColour solved_from(Wishes wishes, const InverseOptions& options, Look at)
                     roughness_gradient(at.rho) + at.slope.transpose() * multipliers, options);
     }
     if (now > 0.1 * missed) {
-      if (penalty.weight <= kLeastWeight) break;
+      if (penalty.weight < 2 * kLeastWeight) break;  // 2: whatever rounding did to it
       penalty.weight /= 10;
       penalty.shift /= 10;
     }

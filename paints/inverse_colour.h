@@ -31,7 +31,7 @@ struct InverseColour {
 /// The smoothest reflectance that looks exactly as wished, in every one of the lightings: smooth by
 /// the squared differences of neighbouring bands [VanTrigt1990], so that ends which nobody sees
 /// stay flat, and a grey wish in a neutral room is answered by a grey. Augmented Lagrangian
-/// [Powell1969] around Gauss-Newton steps within the bounds [Stark1995], from three greys; of
+/// [Powell1969] around Newton steps within the bounds [Stark1995], from three greys; of
 /// several exact answers the smoothest, else the nearest is kept. Both are proven locally optimal
 /// only: a room is not linear in its paint.
 /// @throws std::invalid_argument  without lightings, or if a target is not finite or `most` is not

@@ -231,6 +231,7 @@ TEST_F(OutOfReach, NearestIsNoFartherThanAnyOtherPaint) {
   for (const auto& wishes : {one, two}) {
     const InverseColour found = inverse_colour(wishes);
     EXPECT_FALSE(found.exact);
+    EXPECT_LT(found.stationarity, 1e-5);
     EXPECT_NEAR(found.distance, distance(wishes, found.reflectance.values), 1e-9);
     for (int i = 0; i < 300; ++i) EXPECT_GE(distance(wishes, random_steps()), found.distance);
     for (std::size_t i = 0; i < 462; i += 20) {
