@@ -108,6 +108,7 @@ class Reduction {
   std::vector<ReducedClass> classes_;
   std::vector<VectorXd> candidates_;  ///< reflectances of the groups
   double solves_ = 0;
+  int measured_ = 0;  ///< held-out solves so far
   int lit_bands_ = 0;
 };
 
@@ -353,7 +354,8 @@ ReducedRoom Reduction::result() const {
   return reduced;
 }
 
-/// Full solves at reflectances that differ from band to band and were not chosen by the residual.
+/// Full solves at reflectances that differ from band to band and were not chosen by the residual;
+/// those that were missed become candidates for the basis.
 void Reduction::measure(ReducedRoom& reduced) {
   const auto reflectance = [&](int band, int solve, int group) {
     const double turn = std::numbers::phi * (band + 1) + 0.3 * solve + 0.414 * group + 0.13;
@@ -368,7 +370,9 @@ void Reduction::measure(ReducedRoom& reduced) {
     for (const ReducedClass& c : classes_) {
       for (const int band : c.light.bands) {
         VectorXd paint(painted_.groups);
-        for (int j = 0; j < painted_.groups; ++j) paint[j] = reflectance(band, number, j);
+        for (int j = 0; j < painted_.groups; ++j) {
+          paint[j] = reflectance(band, measured_ + number, j);
+        }
         const int light = (band + number) % lights;
         const SourceLight& source = lights_[static_cast<std::size_t>(light)];
         columns.push_back({.of = &c,
@@ -381,15 +385,19 @@ void Reduction::measure(ReducedRoom& reduced) {
     solve(columns);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const VectorXd y = reduced.outputs(bands[k].first, columns[k].paint).col(bands[k].second);
+      bool missed = false;
       for (Index o = 0; o < y.size(); ++o) {
         const double solved = std::abs(columns[k].outputs[o]);
         if (!(solved > 0)) continue;
         const double error = std::abs(y[o] - columns[k].outputs[o]) / solved;
         if (!(error <= reduced.largest_error)) reduced.largest_error = error;  // NaN counts
+        missed = missed || error > options_.relative_error;
       }
+      if (missed) candidates_.push_back(columns[k].paint);
     }
   }
   solves_ = before;
+  measured_ += reduced.held_out;  // the next check is at other reflectances
   reduced.converged =
       reduced.largest_error <= options_.relative_error && exchange_.closure_defect <= kClosed;
 }
