@@ -54,15 +54,20 @@ TEST(Response, DamagedFileIsMadeAnew) {
 
 TEST(Response, SeveralGroupsGiveSchemes) {
   const TemporaryFolder folder;
+  write_text(folder / "paints.csv",
+             "name,400,500,600,700\n"
+             "white,0.80,0.88,0.90,0.90\ngrey,0.40,0.40,0.40,0.40\nred,0.06,0.05,0.50,0.70\n"
+             "pink,0.50,0.45,0.70,0.80\nyellow,0.06,0.30,0.75,0.80\nblue,0.40,0.20,0.06,0.08\n");
   const ProgramRun run =
-      roomhue("rank " + kLiving + "--resolve-top 2 --out " + folder.path().string());
+      roomhue("rank " + kLiving + "--resolve-top 2 --atlas " + (folder / "paints.csv").string() +
+              " --out " + (folder / "out").string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(names_in(folder.path()),
+  EXPECT_THAT(names_in(folder / "out"),
               ElementsAre("response.json", "run.json", "schemes.csv", "shift.csv"));
-  EXPECT_THAT(first_line(folder / "schemes.csv"),
+  EXPECT_THAT(first_line(folder / "out/schemes.csv"),
               StartsWith("rank,distance,walls paint,walls distance,walls J"));
-  EXPECT_THAT(run.out, HasSubstr("all 213444 schemes were compared"));
-  const auto resolved = read_json(folder / "run.json")["schemes"]["resolved"];
+  EXPECT_THAT(run.out, HasSubstr("all 36 schemes were compared"));
+  const auto resolved = read_json(folder / "out/run.json")["schemes"]["resolved"];
   EXPECT_LT(resolved["largest_difference"].get<double>(), 1e-4);
 }
 
