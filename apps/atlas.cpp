@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <optional>
 
 #include "apps/atlas_picture.h"
 #include "apps/commands.h"
@@ -117,28 +117,17 @@ Exit map_atlas(const RankCommand& command, const Session& session) {
   const std::filesystem::path out = command.out;
   const RankOptions& options = command.options;
   RoomRun run = open_room(command.rooms, "atlas", to_json(options), session);
-  if (run.room.paint.size() != 1) {
-    throw room_fault(run, "/paint", fmt::format("has {} groups", run.room.paint.size()),
-                     "give the one group of surfaces that the chips are put on");
-  }
+  require_one_group(run);
   const paints::Atlas atlas = paints::load_atlas(
       options.atlas.empty() ? run.room.paint.front().atlas : options.atlas, run.room.grid);
   run.clock.stop("atlas");
   require_painted_view(run);
-  double highest = kHighestReflectance;
-  for (const paints::Paint& p : atlas.paints) {
-    highest = std::max(highest, p.reflectance.values.maxCoeff());
-  }
-  PaintedRoom painted(run, options, out, highest);
+  PaintedRoom painted(run, options, out, highest_reflectance(atlas, std::nullopt));
   const std::vector<spectra::LitRoom> rooms = painted.rooms();
   const paints::RankingOptions looks{
       .distance = options.distance, .viewing = run.room.viewing, .judgement = run.room.judgement};
-  std::vector<MappedChip> chips;
-  try {
-    chips = paints::map_atlas(atlas, rooms, looks);
-  } catch (const std::domain_error& error) {
-    throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
-  }
+  const std::vector<MappedChip> chips =
+      seeing(run, [&] { return paints::map_atlas(atlas, rooms, looks); });
   const std::vector<paints::Order> orders = paints::orders(chips, rooms, looks);
   run.clock.stop("map");
 

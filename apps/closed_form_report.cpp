@@ -132,9 +132,9 @@ void write_report(const ClosedFormReport& report, const FileCommand& command,
     record["wished"] = describe(wish);
     for (std::string& note : notes_on(record["wished"])) notes.push_back(std::move(note));
     files.push_back({.path = out / "wished.csv", .text = wished_csv(wish, report.radiosity)});
-    files.push_back(
-        {.path = out / "reflectance.csv",
-         .text = reflectance_csv(wish.by, {spectra::kClosedFormGrid, wish.inverse.reflectance})});
+    files.push_back({.path = out / "reflectance.csv",
+                     .text = reflectances_csv(
+                         {{wish.by, {spectra::kClosedFormGrid, wish.inverse.reflectance}}})});
   }
   record["status"] = "done";
   record["peak_memory_bytes"] = peak_memory_bytes();

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>  // seconds of compile time: included here and nowhere else
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <thread>
 
 #include "appearance/spectra/bilinear.h"
 
@@ -333,6 +335,11 @@ void add_picture_commands(CLI::App& program, CommandLine& line) {
 }
 
 }  // namespace
+
+int thread_count(const Session& session) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  return session.threads > 0 ? session.threads : std::max(1, cores);
+}
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine line{.session = {.command_line = {argv, argv + argc}}, .job = {}};

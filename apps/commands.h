@@ -17,6 +17,9 @@ struct Session {
   int threads = 0;    ///< 0: one per core
 };
 
+/// As asked for, or one per core.
+[[nodiscard]] int thread_count(const Session& session);
+
 struct RoomCommand {
   std::string room, out;
   RoomOptions options;

@@ -46,14 +46,17 @@ void CsvText::separate() {
   at_row_start_ = false;
 }
 
-std::string reflectance_csv(std::string_view name, const spectra::Spectrum& reflectance) {
+std::string reflectances_csv(const std::vector<std::pair<std::string, spectra::Spectrum>>& named) {
   CsvText csv;
   csv.cell("name");
-  for (int k = 0; k < reflectance.grid.count; ++k) csv.cell(reflectance.grid.wavelength_nm(k));
+  const spectra::Grid& grid = named.front().second.grid;
+  for (int k = 0; k < grid.count; ++k) csv.cell(grid.wavelength_nm(k));
   csv.end_row();
-  csv.cell(name);
-  for (const double value : reflectance.values) csv.cell(value);
-  csv.end_row();
+  for (const auto& [name, reflectance] : named) {
+    csv.cell(name);
+    for (const double value : reflectance.values) csv.cell(value);
+    csv.end_row();
+  }
   return csv.take();
 }
 

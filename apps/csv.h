@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "appearance/spectra/spectrum.h"
 
@@ -31,8 +32,9 @@ class CsvText {
   bool at_row_start_ = true;
 };
 
-/// `name,400,410,...` and one row: a reflectance as room files and atlases take it.
-[[nodiscard]] std::string reflectance_csv(std::string_view name,
-                                          const spectra::Spectrum& reflectance);
+/// `name,400,410,...` and a row each: reflectances as room files and atlases take them.
+/// @param named  on one grid, at least one
+[[nodiscard]] std::string reflectances_csv(
+    const std::vector<std::pair<std::string, spectra::Spectrum>>& named);
 
 }  // namespace apps

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "apps/commands.h"
 #include "apps/csv.h"
@@ -46,51 +45,39 @@ InverseRun aimed(const RoomRun& run, PaintedRoom& painted, const paints::Target&
   }
 }
 
-/// A single painted group with a wish and a view of it.
-void require_one_group(const RoomRun& run) {
-  if (run.room.paint.size() > 1) {
-    throw room_fault(run, "/paint", "names several groups, and inverse answers for one",
-                     "name the surfaces of one group");
-  }
-  require_painted_view(run);
-}
-
 }  // namespace
 
 Exit invert_room(const RankCommand& command, const Session& session) {
   const std::filesystem::path out = command.out;
   const RankOptions& options = command.options;
   RoomRun run = open_room(command.rooms, "inverse", to_json(options), session);
+  require_one_group(run);
   const scenes::TargetColour& target = target_of(run);
   const paints::Target wish = wished(run, target);
-  require_one_group(run);
+  require_painted_view(run);
   const scenes::PaintTask& task = run.room.paint.front();
   const paints::Atlas atlas =
       paints::load_atlas(options.atlas.empty() ? task.atlas : options.atlas, run.room.grid);
   run.clock.stop("atlas");
 
   PaintedRoom painted(run, options, out, highest_reflectance(atlas, target));
-  InverseRun inverse;
-  paints::Ranking ranking;
-  try {
-    inverse = aimed(run, painted, wish);
-    run.clock.stop("inverse");
-    ranking = paints::rank(atlas, wish, painted.rooms(),
-                           {.distance = options.distance,
-                            .viewing = run.room.viewing,
-                            .judgement = run.room.judgement});
-    run.clock.stop("rank");
-  } catch (const std::domain_error& error) {
-    throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
-  }
+  const InverseRun inverse = seeing(run, [&] { return aimed(run, painted, wish); });
+  run.clock.stop("inverse");
+  const std::vector<spectra::LitRoom> rooms = painted.rooms();
+  const paints::Ranking ranking = seeing(run, [&] {
+    return paints::rank(atlas, wish, rooms,
+                        {.distance = options.distance,
+                         .viewing = run.room.viewing,
+                         .judgement = run.room.judgement});
+  });
+  run.clock.stop("rank");
 
   run.record["inverse"] = describe(inverse, wish);
   run.record["response"] = painted.record();
-  const std::vector<spectra::LitRoom> rooms = painted.rooms();
   const int top = options.top > 0 ? options.top : task.top;
   std::vector<OutputFile> files{
       {.path = out / "reflectance.csv",
-       .text = reflectance_csv("inverse", inverse.answer.reflectance)},
+       .text = reflectances_csv({{"inverse", inverse.answer.reflectance}})},
       {.path = out / "inverse.csv", .text = bands_csv(inverse.answer)},
       {.path = out / "appearance.csv", .text = appearance_csv(inverse, rooms, wish)},
       {.path = out / "ranking.csv", .text = ranking_csv(ranking, atlas, wish, top, {})}};

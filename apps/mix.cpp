@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <thread>
 
 #include "apps/commands.h"
 #include "apps/csv.h"
@@ -53,16 +51,10 @@ paints::Ingredients ingredients_of(const RoomRun& run, const MixOptions& options
   return all;
 }
 
-void require_one_group(const RoomRun& run) {
-  if (run.room.paint.size() == 1) return;
-  throw room_fault(run, "/paint", "names several groups of surfaces, and mix paints one",
-                   "keep one group");
-}
-
 /// @throws spectra::InputError  if the room leaves the viewer without light
 void search(Mixing& mixing, const RoomRun& run, const PaintedRoom& painted, std::size_t count,
             const MixOptions& options, int threads) {
-  try {
+  seeing(run, [&] {
     mixing.single = paints::rank(mixing.ingredients.atlas, mixing.wish, {painted.rooms().front()},
                                  {.viewing = run.room.viewing});
     mixing.found = paints::find_recipes(
@@ -72,9 +64,7 @@ void search(Mixing& mixing, const RoomRun& run, const PaintedRoom& painted, std:
          .count = count,
          .viewing = run.room.viewing,
          .threads = threads});
-  } catch (const std::domain_error& error) {
-    throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
-  }
+  });
   if (mixing.single.paints.empty() || mixing.found.recipes.empty()) {
     throw room_fault(run, "/paint/atlas", "holds no paint whose appearance CIECAM02 defines here",
                      "choose another atlas");
@@ -111,18 +101,11 @@ std::string recipes_csv(const Mixing& mixing) {
 
 /// An atlas of the mixtures.
 std::string mixtures_csv(const Mixing& mixing) {
-  const spectra::Grid& grid = mixing.ingredients.set.grid;
-  std::string header = "name";
-  for (int band = 0; band < grid.count; ++band) {
-    header += fmt::format(",{}", grid.wavelength_nm(band));
-  }
-  CsvText csv(header);
+  std::vector<std::pair<std::string, spectra::Spectrum>> mixtures;
   for (std::size_t i = 0; i < mixing.found.recipes.size(); ++i) {
-    csv.cell(recipe_name(i));
-    for (const double value : mixing.found.recipes[i].reflectance.values) csv.cell(value);
-    csv.end_row();
+    mixtures.emplace_back(recipe_name(i), mixing.found.recipes[i].reflectance);
   }
-  return csv.take();
+  return reflectances_csv(mixtures);
 }
 
 std::string formula(const Mixing& mixing, const paints::Recipe& recipe) {
@@ -206,8 +189,7 @@ Json describe_mixing(const Mixing& mixing, const MixOptions& options) {
 void check_best(RoomRun& run, PaintedRoom& painted, const Mixing& mixing) {
   const paints::Recipe& best = mixing.found.recipes.front();
   const solver::RoomSolution solution = painted.solve({best.reflectance});
-  const Seen seen = seen_in_room(appearance::view_of_room(
-      solver::viewed_light(run.room, run.transport, solution), run.room.viewing));
+  const Seen seen = seen_in_room(view_of(run, solution));
   const appearance::Correlates &p = seen.correlates, &q = best.correlates;
   run.record["mixing"]["best"]["differs_from_full_solve"] =
       std::hypot(p.lightness - q.lightness, p.a_c - q.a_c, p.b_c - q.b_c);
@@ -230,12 +212,11 @@ Exit mix_room(const MixCommand& command, const Session& session) {
   PaintedRoom painted(run, options.rank, out,
                       highest_reflectance(mixing.ingredients.atlas, target));
   if (!run.room.scenarios.empty()) {
-    report_notes({fmt::format("mixing for the first lighting, \"{}\"", painted.rooms()[0].name)});
+    report_notes(
+        {fmt::format("mixing for the first lighting, \"{}\"", painted.lightings().front().name)});
   }
   const int top = options.rank.top > 0 ? options.rank.top : run.room.paint.front().top;
-  search(mixing, run, painted, static_cast<std::size_t>(top), options,
-         session.threads > 0 ? session.threads
-                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  search(mixing, run, painted, static_cast<std::size_t>(top), options, thread_count(session));
   run.clock.stop("mix");
   run.record["mixing"] = describe_mixing(mixing, options);
   check_best(run, painted, mixing);

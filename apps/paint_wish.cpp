@@ -41,6 +41,14 @@ paints::Target wished(const RoomRun& run, const scenes::TargetColour& target, st
       appearance::LightnessChromaHue{.lightness = jch[0], .chroma = jch[1], .hue_deg = jch[2]});
 }
 
+void require_one_group(const RoomRun& run) {
+  if (run.room.paint.size() == 1) return;
+  throw room_fault(
+      run, "/paint",
+      fmt::format("paints {} groups of surfaces, and one is wanted here", run.room.paint.size()),
+      "name the surfaces of one group, e.g. { \"surfaces\": [\"walls\"] }");
+}
+
 void require_painted_view(const RoomRun& run, std::size_t group) {
   const solver::ViewedPoint at = viewed_point(run, group);
   const std::vector<int>& painted = run.room.paint[group].surfaces;
@@ -51,12 +59,14 @@ void require_painted_view(const RoomRun& run, std::size_t group) {
   }
 }
 
-double highest_reflectance(const paints::Atlas& atlas, const scenes::TargetColour& target) {
+double highest_reflectance(const paints::Atlas& atlas,
+                           const std::optional<scenes::TargetColour>& target) {
   double highest = kHighestReflectance;
   for (const paints::Paint& p : atlas.paints) {
     highest = std::max(highest, p.reflectance.values.maxCoeff());
   }
-  if (const auto* reflectance = std::get_if<spectra::Spectrum>(&target.colour)) {
+  const auto* reflectance = target ? std::get_if<spectra::Spectrum>(&target->colour) : nullptr;
+  if (reflectance != nullptr) {
     highest = std::max(highest, reflectance->values.maxCoeff());
   }
   return highest;

@@ -13,11 +13,14 @@ namespace apps {
 [[nodiscard]] paints::Target wished(const RoomRun& run, const scenes::TargetColour& target,
                                     std::size_t group = 0);
 
+/// @throws spectra::InputError  unless exactly one group is painted
+void require_one_group(const RoomRun& run);
+
 /// @throws spectra::InputError  if the eye looks at a surface that the group does not paint
 void require_painted_view(const RoomRun& run, std::size_t group = 0);
 
 /// The highest reflectance of a paint, a target, or kHighestReflectance.
 [[nodiscard]] double highest_reflectance(const paints::Atlas& atlas,
-                                         const scenes::TargetColour& target);
+                                         const std::optional<scenes::TargetColour>& target);
 
 }  // namespace apps

@@ -36,18 +36,24 @@ void PaintedRoom::need_transport() {
   prepared_ = true;
 }
 
+std::vector<spectra::LitRoom> PaintedRoom::lightings() const {
+  if (run_.room.scenarios.empty()) return {{}};
+  std::vector<spectra::LitRoom> lightings;
+  for (const scenes::Scenario& s : run_.room.scenarios) {
+    lightings.push_back({.name = s.name, .weight = s.weight});
+  }
+  return lightings;
+}
+
 std::vector<spectra::LitRoom> PaintedRoom::rooms(
     int varying, int viewed, const std::vector<spectra::Spectrum>& paints) const {
   const auto response =
       std::make_shared<const solver::RoomResponse>(views_, varying, viewed, paints);
-  std::vector<spectra::LitRoom> rooms;
-  for (std::size_t l = 0; l < response->lightings(); ++l) {
-    rooms.push_back({.view = [response, l](const spectra::Spectrum& paint) {
+  std::vector<spectra::LitRoom> rooms = lightings();
+  for (std::size_t l = 0; l < rooms.size(); ++l) {
+    rooms[l].view = [response, l](const spectra::Spectrum& paint) {
       return response->light(paint, l);
-    }});
-    if (run_.room.scenarios.empty()) continue;
-    rooms.back().name = run_.room.scenarios[l].name;
-    rooms.back().weight = run_.room.scenarios[l].weight;
+    };
   }
   return rooms;
 }
@@ -65,7 +71,7 @@ std::vector<spectra::RoomResponseSlope> PaintedRoom::slopes(
 }
 
 std::vector<spectra::LitRoom> PaintedRoom::solved_rooms() {
-  std::vector<spectra::LitRoom> rooms = this->rooms();
+  std::vector<spectra::LitRoom> rooms = lightings();
   for (std::size_t l = 0; l < rooms.size(); ++l) {
     rooms[l].view = [this, l](const spectra::Spectrum& paint) {
       return solver::viewed_light(run_.room, run_.transport, solve({paint}, l));

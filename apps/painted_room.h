@@ -18,6 +18,9 @@ class PaintedRoom {
   PaintedRoom(RoomRun& run, const RankOptions& options, const std::filesystem::path& out,
               double highest_reflectance);
 
+  /// Names and weights of the lightings, without a view.
+  [[nodiscard]] std::vector<spectra::LitRoom> lightings() const;
+
   /// The lightings of the room as the viewer of one group sees them while one group's paint varies.
   /// @param paints  of each group; that of `varying` is not read; empty for a single group
   [[nodiscard]] std::vector<spectra::LitRoom> rooms(

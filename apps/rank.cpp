@@ -8,6 +8,7 @@
 #include "apps/commands.h"
 #include "apps/paint_wish.h"
 #include "apps/painted_room.h"
+#include "apps/resolve.h"
 #include "apps/scheme.h"
 #include "apps/terminal.h"
 #include "paints/atlas_file.h"
@@ -16,25 +17,6 @@ namespace apps {
 namespace {
 
 constexpr std::size_t kTableRows = 10;
-
-paints::RankingOptions ranking_options(const RoomRun& run, const RankOptions& options, int top) {
-  return {.windows = options.windows,
-          .distance = options.distance,
-          .viewing = run.room.viewing,
-          .judgement = run.room.judgement,
-          .top = static_cast<std::size_t>(std::max(top, options.resolve_top))};
-}
-
-/// @throws spectra::InputError  if the room leaves the viewer without light
-paints::Ranking rank_in(const RoomRun& run, const std::vector<spectra::LitRoom>& rooms,
-                        const paints::Atlas& atlas, const paints::Target& wish,
-                        const RankOptions& options, int top) {
-  try {
-    return paints::rank(atlas, wish, rooms, ranking_options(run, options, top));
-  } catch (const std::domain_error& error) {
-    throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
-  }
-}
 
 /// The target's own spectrum, then the `top` best paints, each on the swatch and in the room, in
 /// the first lighting.
@@ -62,32 +44,12 @@ std::vector<Shift> shifts_of(const RoomRun& run, const spectra::LitRoom& room,
   return shifts;
 }
 
-/// The winners by full solves: what the response got wrong about them.
-struct Resolved {
-  std::vector<double> distance;   ///< of the best paints, in the order of the ranking
-  double largest_difference = 0;  ///< |distance - solved distance|
-  bool same_order = true;
-};
-
-Resolved resolve(const RoomRun& run, const std::vector<spectra::LitRoom>& solved,
-                 const paints::Ranking& ranking, const paints::Target& wish,
-                 const RankOptions& options) {
-  Resolved resolved;
-  const std::size_t count =
-      std::min(ranking.paints.size(), static_cast<std::size_t>(options.resolve_top));
-  for (std::size_t i = 0; i < count; ++i) {
-    std::vector<double> distances;
-    for (const paints::SeenPaint& seen : paints::look(ranking.paints[i].paint->reflectance, wish,
-                                                      solved, options.distance, run.room.viewing)) {
-      distances.push_back(seen.distance);
-    }
-    resolved.distance.push_back(paints::judged(run.room.judgement, distances, solved));
-    resolved.largest_difference =
-        std::max(resolved.largest_difference,
-                 std::abs(resolved.distance.back() - ranking.paints[i].distance));
+std::vector<Winner> winners_of(const paints::Ranking& ranking) {
+  std::vector<Winner> winners;
+  for (const paints::RankedPaint& p : ranking.paints) {
+    winners.push_back({.paints = {p.paint->reflectance}, .distance = p.distance});
   }
-  resolved.same_order = std::ranges::is_sorted(resolved.distance);
-  return resolved;
+  return winners;
 }
 
 /// The last `count` shifts are those of the best paints.
@@ -138,15 +100,6 @@ Json describe_ranking(const paints::Ranking& ranking, const paints::Atlas& atlas
           {"rejected_by_windows", ranking.rejected},
           {"undefined", ranking.undefined},
           {"best", best}};
-}
-
-/// How the room with the best paint was solved and viewed, in the first lighting.
-void record_best(RoomRun& run, PaintedRoom& painted, const paints::RankedPaint& best,
-                 bool by_solve) {
-  if (by_solve) {
-    run.record["solution"] = describe(painted.solve({best.paint->reflectance}), run.room);
-  }
-  run.record["viewing"] = describe(best.seen.front().view, run.room, viewed_point(run));
 }
 
 /// Of the listed paints, those whose look differs least between the lightings.
@@ -206,20 +159,27 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
   PaintedRoom painted(run, options, out, highest_reflectance(atlas, target));
   const std::vector<spectra::LitRoom> rooms = painted.rooms();
   const int top = options.top > 0 ? options.top : run.room.paint.front().top;
-  const paints::Ranking ranking = rank_in(run, rooms, atlas, wish, options, top);
+  const paints::Ranking ranking = seeing(run, [&] {
+    return paints::rank(atlas, wish, rooms,
+                        {.windows = options.windows,
+                         .distance = options.distance,
+                         .viewing = run.room.viewing,
+                         .judgement = run.room.judgement,
+                         .top = static_cast<std::size_t>(std::max(top, options.resolve_top))});
+  });
   run.clock.stop("rank");
-  const Resolved resolved = resolve(run, painted.solved_rooms(), ranking, wish, options);
+  const Resolved resolved =
+      resolve(run, painted, winners_of(ranking), {{.atlas = &atlas, .target = wish}}, options);
   run.clock.stop("resolve");
   talk_about(ranking, atlas);
 
   const std::vector<Shift> shifts = shifts_of(run, rooms.front(), ranking, atlas, top);
   run.record["ranking"] = describe_ranking(ranking, atlas, wish);
   if (!ranking.paints.empty()) {
-    record_best(run, painted, ranking.paints.front(), options.resolve_top > 0);
+    const appearance::RoomView& view = ranking.paints.front().seen.front().view;
+    run.record["viewing"] = describe(view, run.room, viewed_point(run));
   }
-  run.record["ranking"]["resolved"] = {{"paints", resolved.distance.size()},
-                                       {"largest_difference", resolved.largest_difference},
-                                       {"same_order", resolved.same_order}};
+  run.record["ranking"]["resolved"] = resolved.record("paints");
   run.record["response"] = painted.record();
   const Json constant = most_constant(ranking, atlas, top);
   if (rooms.size() > 1) run.record["ranking"]["most_constant"] = constant;

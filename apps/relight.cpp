@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <thread>
 
 #include "appearance/spectra/input_error.h"
 #include "appearance/spectra/relighting.h"
@@ -105,11 +104,9 @@ Exit relight_picture(const RelightCommand& command, const Session& session) {
                                 .problem = "the change of light is beyond all floats",
                                 .remedy = "give lights of like size"}});
   }
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  const int threads = session.threads > 0 ? session.threads : std::max(cores, 1);
   ExrReport report;
   write_file(command.out, [&](const std::filesystem::path& temporary) {
-    report = relight_exr(command.in, temporary, matrix, threads);
+    report = relight_exr(command.in, temporary, matrix, thread_count(session));
   });
   for (const ExrPart& part : report.parts) {
     if (!part.relit) report_notes({fmt::format("part {} is copied as it is", part.name)});

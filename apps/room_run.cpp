@@ -57,13 +57,10 @@ spectra::InputError room_fault(const RoomRun& run, const std::string& pointer,
 
 appearance::RoomView view_of(const RoomRun& run, const solver::RoomSolution& solution,
                              std::size_t viewed) {
-  try {
-    const spectra::ViewedLight light =
-        solver::viewed_light(run.room, run.transport, solution, viewed);
-    return appearance::view_of_room(light, run.room.viewing);
-  } catch (const std::domain_error& error) {
-    throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
-  }
+  return seeing(run, [&] {
+    return appearance::view_of_room(solver::viewed_light(run.room, run.transport, solution, viewed),
+                                    run.room.viewing);
+  });
 }
 
 solver::ViewedPoint viewed_point(const RoomRun& run, std::size_t group) {

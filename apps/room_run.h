@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,17 @@ void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::pa
 /// A fault of a room file that only the subcommand at hand minds.
 [[nodiscard]] spectra::InputError room_fault(const RoomRun& run, const std::string& pointer,
                                              const std::string& problem, const std::string& remedy);
+
+/// Calls `look` and gives what it gives.
+/// @throws spectra::InputError  if there is no light to view the room by
+template <class Look>
+auto seeing(const RoomRun& run, const Look& look) {
+  try {
+    return look();
+  } catch (const std::domain_error& error) {
+    throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
+  }
+}
 
 /// How one of the viewed points of a solved room looks.
 /// @throws spectra::InputError  if there is no light to view it by

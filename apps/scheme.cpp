@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 #include "apps/csv.h"
 #include "apps/paint_wish.h"
 #include "apps/painted_room.h"
+#include "apps/resolve.h"
 #include "apps/terminal.h"
 #include "paints/scheme.h"
 
@@ -53,15 +52,13 @@ paints::SchemeRanking search(const RoomRun& run, const PaintedRoom& painted, con
     }
     return views;
   };
-  try {
+  return seeing(run, [&] {
     return paints::rank_schemes(groups.groups, room,
                                 {.distance = options.distance,
                                  .viewing = run.room.viewing,
                                  .judgement = run.room.judgement,
                                  .top = top});
-  } catch (const std::domain_error& error) {
-    throw room_fault(run, "/view", error.what(), "look at a surface that gets light");
-  }
+  });
 }
 
 std::string guarantee(const paints::SchemeRanking& ranking) {
@@ -97,45 +94,15 @@ std::string schemes_csv(const RoomRun& run, const Groups& groups,
   return csv.take();
 }
 
-/// A paint for each group, where it does not matter which.
-std::vector<spectra::Spectrum> first_paints(const Groups& groups) {
-  std::vector<spectra::Spectrum> paints;
-  for (const paints::Atlas& atlas : groups.atlases) {
-    paints.push_back(atlas.paints.front().reflectance);
+std::vector<Winner> winners_of(const paints::SchemeRanking& ranking) {
+  std::vector<Winner> winners;
+  for (const paints::Scheme& scheme : ranking.schemes) {
+    winners.push_back({.distance = scheme.distance});
+    for (const paints::Paint* paint : scheme.paints) {
+      winners.back().paints.push_back(paint->reflectance);
+    }
   }
-  return paints;
-}
-
-/// Distances of the best schemes by full solves.
-std::vector<double> resolve(const RoomRun& run, PaintedRoom& painted, const Groups& groups,
-                            const paints::SchemeRanking& ranking, const RankOptions& options) {
-  std::vector<double> distances;
-  const std::vector<spectra::LitRoom> lightings = painted.rooms(0, 0, first_paints(groups));
-  const auto count =
-      std::min(ranking.schemes.size(), static_cast<std::size_t>(options.resolve_top));
-  for (std::size_t i = 0; i < count; ++i) {
-    std::vector<spectra::Spectrum> paints;
-    for (const paints::Paint* paint : ranking.schemes[i].paints) {
-      paints.push_back(paint->reflectance);
-    }
-    std::vector<std::vector<double>> by_group(groups.groups.size());
-    for (std::size_t l = 0; l < lightings.size(); ++l) {
-      const solver::RoomSolution solution = painted.solve(paints, l);
-      for (std::size_t g = 0; g < groups.groups.size(); ++g) {
-        const Seen seen = seen_in_room(view_of(run, solution, g));
-        by_group[g].push_back(
-            paints::distance(options.distance, seen.correlates, groups.groups[g].target));
-      }
-    }
-    double sum = 0, weights = 0;
-    for (std::size_t g = 0; g < groups.groups.size(); ++g) {
-      const double weight = groups.groups[g].weight;
-      sum += weight * paints::judged(run.room.judgement, by_group[g], lightings);
-      weights += weight;
-    }
-    distances.push_back(sum / weights);
-  }
-  return distances;
+  return winners;
 }
 
 std::string best_table(const RoomRun& run, const Groups& groups,
@@ -199,24 +166,16 @@ RunResult rank_schemes(RoomRun& run, const RankOptions& options, const std::file
   const paints::SchemeRanking ranking =
       search(run, painted, groups, options, static_cast<std::size_t>(top));
   run.clock.stop("rank");
-  const std::vector<double> solved = resolve(run, painted, groups, ranking, options);
-  double largest_difference = 0;
-  for (std::size_t i = 0; i < solved.size(); ++i) {
-    largest_difference =
-        std::max(largest_difference, std::abs(solved[i] - ranking.schemes[i].distance));
-  }
+  const Resolved resolved = resolve(run, painted, winners_of(ranking), groups.groups, options);
   run.clock.stop("resolve");
 
   run.record["response"] = painted.record();
   run.record["schemes"] = {{"combinations", ranking.combinations},
                            {"exhaustive", ranking.exhaustive},
                            {"guarantee", guarantee(ranking)},
-                           {"resolved",
-                            {{"schemes", solved.size()},
-                             {"largest_difference", largest_difference},
-                             {"same_order", std::ranges::is_sorted(solved)}}}};
+                           {"resolved", resolved.record("schemes")}};
   std::vector<OutputFile> files{
-      {.path = out / "schemes.csv", .text = schemes_csv(run, groups, ranking, solved)}};
+      {.path = out / "schemes.csv", .text = schemes_csv(run, groups, ranking, resolved.distance)}};
   if (!ranking.schemes.empty()) {
     files.push_back({.path = out / "shift.csv",
                      .text = shift_csv(shifts_of(run, groups, ranking.schemes.front()))});

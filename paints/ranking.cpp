@@ -78,16 +78,6 @@ bool defined(const std::vector<SeenPaint>& seen) {
                              [](const SeenPaint& s) { return s.correlates.status.all_defined(); });
 }
 
-SeenPaint look_once(const spectra::Spectrum& reflectance, const Target& target,
-                    const spectra::LitRoom& room, Distance kind,
-                    const spectra::ViewingChoices& viewing) {
-  SeenPaint seen{.view = appearance::view_of_room(room.view(reflectance), viewing)};
-  seen.correlates =
-      appearance::ciecam02_forward(seen.view.sample, appearance::adapt(seen.view.conditions));
-  seen.distance = distance(kind, seen.correlates, target);
-  return seen;
-}
-
 /// Sorts, and forgets what is not among the best.
 void keep_best(std::vector<RankedPaint>& paints, std::size_t top) {
   std::ranges::stable_sort(paints, {}, &RankedPaint::distance);
@@ -148,13 +138,23 @@ double judged(spectra::Judgement judgement, const std::vector<SeenPaint>& seen,
   return judged(judgement, distances, rooms);
 }
 
+SeenPaint look(const spectra::Spectrum& reflectance, const Target& target,
+               const spectra::LitRoom& room, Distance kind,
+               const spectra::ViewingChoices& viewing) {
+  SeenPaint seen{.view = appearance::view_of_room(room.view(reflectance), viewing)};
+  seen.correlates =
+      appearance::ciecam02_forward(seen.view.sample, appearance::adapt(seen.view.conditions));
+  seen.distance = distance(kind, seen.correlates, target);
+  seen.chromaticity = spectra::chromaticity(seen.view.sample);
+  return seen;
+}
+
 std::vector<SeenPaint> look(const spectra::Spectrum& reflectance, const Target& target,
                             const std::vector<spectra::LitRoom>& rooms, Distance kind,
                             const spectra::ViewingChoices& viewing) {
   std::vector<SeenPaint> all;
   for (const spectra::LitRoom& room : rooms) {
-    all.push_back(look_once(reflectance, target, room, kind, viewing));
-    all.back().chromaticity = spectra::chromaticity(all.back().view.sample);
+    all.push_back(look(reflectance, target, room, kind, viewing));
   }
   return all;
 }
@@ -173,7 +173,7 @@ Ranking rank(const Atlas& atlas, const Target& target, const std::vector<spectra
     }
     seen.clear();
     for (const spectra::LitRoom& room : rooms) {
-      seen.push_back(look_once(paint.reflectance, target, room, options.distance, options.viewing));
+      seen.push_back(look(paint.reflectance, target, room, options.distance, options.viewing));
     }
     if (!defined(seen)) {
       ranking.undefined.push_back(paint.name);
@@ -181,7 +181,6 @@ Ranking rank(const Atlas& atlas, const Target& target, const std::vector<spectra
     }
     const double distance = judged(options.judgement, seen, rooms);
     if (distance >= enough) continue;
-    for (SeenPaint& s : seen) s.chromaticity = spectra::chromaticity(s.view.sample);
     ranking.paints.push_back({.paint = &paint,
                               .distance = distance,
                               .inconstancy = inconstancy(options.distance, seen),

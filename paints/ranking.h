@@ -73,7 +73,12 @@ struct Ranking {
 [[nodiscard]] double judged(spectra::Judgement judgement, const std::vector<double>& distances,
                             const std::vector<spectra::LitRoom>& rooms);
 
-/// A paint as it looks in each lighting.
+/// A paint as it looks in one lighting.
+[[nodiscard]] SeenPaint look(const spectra::Spectrum& reflectance, const Target& target,
+                             const spectra::LitRoom& room, Distance kind,
+                             const spectra::ViewingChoices& viewing);
+
+/// In each of them.
 [[nodiscard]] std::vector<SeenPaint> look(const spectra::Spectrum& reflectance,
                                           const Target& target,
                                           const std::vector<spectra::LitRoom>& rooms, Distance kind,

@@ -7,8 +7,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "appearance/ciecam02.h"
-
 namespace paints {
 namespace {
 
@@ -124,11 +122,10 @@ double Search::distance_of(const Spectrum& paint,
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     distances.clear();
     for (const spectra::LitRoom& lit : views[g]) {
-      const appearance::RoomView view = appearance::view_of_room(lit.view(paint), options_.viewing);
-      const appearance::Correlates seen =
-          appearance::ciecam02_forward(view.sample, appearance::adapt(view.conditions));
-      if (!seen.status.all_defined()) return std::numeric_limits<double>::infinity();
-      distances.push_back(distance(options_.distance, seen, groups_[g].target));
+      const SeenPaint seen =
+          look(paint, groups_[g].target, lit, options_.distance, options_.viewing);
+      if (!seen.correlates.status.all_defined()) return std::numeric_limits<double>::infinity();
+      distances.push_back(seen.distance);
     }
     sum += groups_[g].weight * judged(options_.judgement, distances, views[g]);
     if (sum > enough * weights_) return std::numeric_limits<double>::infinity();

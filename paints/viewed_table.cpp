@@ -94,15 +94,18 @@ ViewedTable::Film ViewedTable::mix(const BaseNumbers& bases, const Parts& parts)
   return film;
 }
 
+ViewedTable::Piece ViewedTable::piece(int band, float place) const {
+  const int interval = std::min(static_cast<int>(place), kIntervals - 1);
+  return {.cubic = cubics_[static_cast<std::size_t>(band * kIntervals + interval)],
+          .t = place - static_cast<float>(interval)};
+}
+
 Eigen::Vector3d ViewedTable::jab(const BaseNumbers& bases, const Parts& parts) const {
   const Film film = mix(bases, parts);
   const auto per_interval = static_cast<float>(kIntervals / largest_);
   Light x = Light::Zero(), y = x, z = x;
   for (int band = 0; band < bands_; ++band) {
-    const float place = film.reflectance[band] * per_interval;
-    const int interval = std::min(static_cast<int>(place), kIntervals - 1);
-    const float t = place - static_cast<float>(interval);
-    const Cubic& c = cubics_[static_cast<std::size_t>(band * kIntervals + interval)];
+    const auto [c, t] = piece(band, film.reflectance[band] * per_interval);
     const Light light = c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3));
     x += weights_(band, 0) * light;
     y += weights_(band, 1) * light;
@@ -121,10 +124,7 @@ JabOfParts ViewedTable::slope(const BaseNumbers& bases, const Parts& parts) cons
   Eigen::Matrix<float, appearance::kViewedSums, kMostBases> by_parts;
   by_parts.setZero();
   for (int band = 0; band < bands_; ++band) {
-    const float place = film.reflectance[band] * per_interval;
-    const int interval = std::min(static_cast<int>(place), kIntervals - 1);
-    const float t = place - static_cast<float>(interval);
-    const Cubic& c = cubics_[static_cast<std::size_t>(band * kIntervals + interval)];
+    const auto [c, t] = piece(band, film.reflectance[band] * per_interval);
     const Light light = c.c0 + t * (c.c1 + t * (c.c2 + t * c.c3));
     const Light rise = (c.c1 + t * (2 * c.c2 + t * (3 * c.c3))) * per_interval;
     const float wx = weights_(band, 0), wy = weights_(band, 1), wz = weights_(band, 2);

@@ -50,6 +50,13 @@ class ViewedTable {
   };
   struct Film;
 
+  /// The cubic that holds a reflectance, and how far into it.
+  struct Piece {
+    const Cubic& cubic;
+    float t;
+  };
+
+  [[nodiscard]] Piece piece(int band, float place) const;  // place: reflectance in intervals
   [[nodiscard]] Film mix(const BaseNumbers& bases, const Parts& parts) const;
   void fit(const spectra::RoomResponseSlope& room, const spectra::Grid& grid);
 

@@ -9,17 +9,16 @@
 #include <stdexcept>
 
 #include "solver/class_projection.h"
+#include "solver/painted_solver.h"
 #include "solver/radiosity_methods.h"
 
 namespace solver {
 namespace {
 
-using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index kColumnsAtOnce = 32;  ///< of one pass of the solver
 /// Share of a vector that must be new to the basis, in units of the solver's error: less would be
 /// made of that error.
 constexpr double kNewDirection = 1e4;
@@ -27,13 +26,11 @@ constexpr int kHeldOut = 2;        ///< solves of all bands; with several lights
 constexpr int kHeldOutOfMany = 6;  ///< another light in each
 constexpr double kTighter = 0.1;   ///< where held-out solves disagree
 
-/// One column of a solve, and what is kept of its answer.
-struct Column {
-  const ReducedClass* of = nullptr;
-  VectorXd emission, direct;
-  VectorXd paint;     ///< reflectance of each group
-  VectorXd received;  ///< sqrt(A) H on the painted patches
-  VectorXd outputs;
+/// A class of bands under one of its lights, with paints that are worth a solve.
+struct Snapshot {
+  ReducedClass* of = nullptr;
+  Index source = 0;
+  PaintedColumn column;
 };
 
 class Reduction {
@@ -44,14 +41,9 @@ class Reduction {
       : exchange_(exchange),
         lights_(lights),
         painted_(painted),
-        outputs_(outputs),
         options_(options),
+        solver_(exchange, painted, outputs, options.solver_error),
         residual_(options.relative_error) {
-    for (int p = 0; p < exchange.patches(); ++p) {
-      if (painted.group[static_cast<std::size_t>(p)] >= 0) patches_.push_back(p);
-    }
-    if (patches_.empty()) throw std::invalid_argument("no patch is painted");
-    root_area_ = exchange.area_m2(patches_).sqrt();
     for (BandClass& c : band_classes(exchange.area_m2, lights, painted)) {
       lit_bands_ += static_cast<int>(c.bands.size());
       classes_.push_back({.light = std::move(c)});
@@ -71,15 +63,8 @@ class Reduction {
   }
 
  private:
-  [[nodiscard]] Index patches() const { return exchange_.patches(); }
-
-  [[nodiscard]] int group_of(Index painted) const {
-    return painted_.group[static_cast<std::size_t>(patches_[static_cast<std::size_t>(painted)])];
-  }
-
   void list_candidates();
-  void solve(std::vector<Column>& columns);
-  void solve_some(Column* first, Index count);
+  void solve(std::vector<PaintedColumn>& columns);
   void start();
   bool grow();
 
@@ -89,22 +74,20 @@ class Reduction {
     return sum;
   }
 
-  std::vector<Column> worst_columns(ReducedClass& c, int most) const;
+  [[nodiscard]] PaintedColumn column_of(const ReducedClass& c, Index source, VectorXd paint) const;
+  void add_worst(ReducedClass& c, int most, std::vector<Snapshot>& worst) const;
   void add_parts(ReducedClass& c, const VectorXd& received, std::vector<VectorXd> moved,
                  std::vector<VectorXd> phi) const;
-  [[nodiscard]] Column emitter(const ReducedClass& c, const VectorXd& received, int group) const;
-  void absorb(std::vector<Column>& snapshots);
+  void absorb(std::vector<Snapshot>& snapshots);
   [[nodiscard]] ReducedRoom result() const;
   void measure(ReducedRoom& reduced);
 
   const ExchangeAreas& exchange_;
   const std::vector<SourceLight>& lights_;
   const PaintedPatches& painted_;
-  const std::vector<OutputRow>& outputs_;
   const ReductionOptions& options_;
+  PaintedSolver solver_;
   double residual_;  ///< relative, at which a class has enough vectors
-  std::vector<int> patches_;
-  ArrayXd root_area_;
   std::vector<ReducedClass> classes_;
   std::vector<VectorXd> candidates_;  ///< reflectances of the groups
   double solves_ = 0;
@@ -129,63 +112,41 @@ void Reduction::list_candidates() {
   }
 }
 
-void Reduction::solve(std::vector<Column>& columns) {
-  const Index count = static_cast<Index>(columns.size());
-  for (Index first = 0; first < count; first += kColumnsAtOnce) {
-    solve_some(columns.data() + first, std::min(kColumnsAtOnce, count - first));
-  }
-  solves_ += static_cast<double>(count) / lit_bands_;
+void Reduction::solve(std::vector<PaintedColumn>& columns) {
+  if (columns.empty()) return;
+  solver_.solve(columns);
+  solves_ += static_cast<double>(columns.size()) / lit_bands_;
 }
 
-void Reduction::solve_some(Column* first, Index count) {
-  Bands emission(patches(), count), direct(patches(), count), reflectance(patches(), count);
-  for (Index k = 0; k < count; ++k) {
-    emission.col(k) = first[k].emission;
-    direct.col(k) = first[k].direct;
-    reflectance.col(k) = first[k].of->light.fixed;
-    for (Index p = 0; p < root_area_.size(); ++p) {
-      reflectance(patches_[static_cast<std::size_t>(p)], k) = first[k].paint[group_of(p)];
-    }
-  }
-  const RadiositySolution solution = solve_radiosity(exchange_, emission, direct, reflectance,
-                                                     {.relative_error = options_.solver_error});
-  for (Index k = 0; k < count; ++k) {
-    first[k].received = solution.irradiance.col(k)(patches_) * root_area_;
-    first[k].outputs.resize(static_cast<Index>(outputs_.size()));
-    for (Index o = 0; o < first[k].outputs.size(); ++o) {
-      const OutputRow& row = outputs_[static_cast<std::size_t>(o)];
-      first[k].outputs[o] =
-          (row.on_radiosity.size() ? row.on_radiosity.dot(solution.radiosity.col(k).matrix()) : 0) +
-          (row.on_irradiance.size() ? row.on_irradiance.dot(solution.irradiance.col(k).matrix())
-                                    : 0);
-    }
-  }
+PaintedColumn Reduction::column_of(const ReducedClass& c, Index source, VectorXd paint) const {
+  return {.fixed = c.light.fixed,
+          .emission = c.light.sources.emission.col(source),
+          .direct = c.light.sources.direct.col(source),
+          .paint = std::move(paint)};
 }
 
 /// All paints black: y0 and g. Then each group's part of g, so that the basis is exact there.
 void Reduction::start() {
-  std::vector<Column> black;
+  std::vector<PaintedColumn> black;
   for (ReducedClass& c : classes_) {
     for (Index s = 0; s < c.sources(); ++s) {
-      black.push_back({.of = &c,
-                       .emission = c.light.sources.emission.col(s),
-                       .direct = c.light.sources.direct.col(s),
-                       .paint = VectorXd::Zero(painted_.groups)});
+      black.push_back(column_of(c, s, VectorXd::Zero(painted_.groups)));
     }
   }
   solve(black);
-  std::vector<Column> parts;
+  std::vector<PaintedColumn> parts;
   std::size_t k = 0;
   for (ReducedClass& c : classes_) {
-    c.black.resize(root_area_.size(), c.sources());
-    c.constant.resize(static_cast<Index>(outputs_.size()), c.sources());
-    c.basis.resize(root_area_.size(), 0);
+    c.black.resize(solver_.painted_patches(), c.sources());
+    c.constant.resize(solver_.outputs(), c.sources());
+    c.basis.resize(solver_.painted_patches(), 0);
     c.moved = c.basis;
-    c.phi.resize(static_cast<Index>(outputs_.size()), 0);
+    c.phi.resize(solver_.outputs(), 0);
     for (Index s = 0; s < c.sources(); ++s, ++k) {
       c.black.col(s) = black[k].received;
       c.constant.col(s) = black[k].outputs;
-      for (int j = 0; j < painted_.groups; ++j) parts.push_back(emitter(c, c.black.col(s), j));
+      for (int j = 0; j < painted_.groups; ++j)
+        parts.push_back(solver_.emitter(c.light.fixed, c.black.col(s), j));
     }
   }
   solve(parts);
@@ -202,32 +163,13 @@ void Reduction::start() {
   }
 }
 
-/// A group's part of what the painted patches receive, sent out again with all paints black: what
-/// arrives is K E_j v.
-Column Reduction::emitter(const ReducedClass& c, const VectorXd& received, int group) const {
-  Column column{.of = &c,
-                .emission = VectorXd::Zero(patches()),
-                .direct = VectorXd::Zero(patches()),
-                .paint = VectorXd::Zero(painted_.groups)};
-  for (Index p = 0; p < received.size(); ++p) {
-    if (group_of(p) != group) continue;
-    column.emission[patches_[static_cast<std::size_t>(p)]] =
-        std::max(0.0, received[p] / root_area_[p]);
-  }
-  return column;
-}
-
 void Reduction::add_parts(ReducedClass& c, const VectorXd& received, std::vector<VectorXd> moved,
                           std::vector<VectorXd> phi) const {
   for (int j = 0; j < painted_.groups; ++j) {
-    VectorXd part = received;
-    for (Index p = 0; p < part.size(); ++p) {
-      if (group_of(p) != j) part[p] = 0;
-    }
     const auto at = static_cast<std::size_t>(j);
     add_vector(c,
                {.group = j,
-                .v = std::move(part),
+                .v = solver_.part(received, j),
                 .moved = std::move(moved[at]),
                 .phi = std::move(phi[at])},
                kNewDirection * options_.solver_error);
@@ -236,12 +178,11 @@ void Reduction::add_parts(ReducedClass& c, const VectorXd& received, std::vector
 
 /// Up to `most` reflectances for each source of a class where the residual is too large: the
 /// largest first, then others at some distance.
-std::vector<Column> Reduction::worst_columns(ReducedClass& c, int most) const {
+void Reduction::add_worst(ReducedClass& c, int most, std::vector<Snapshot>& worst) const {
   const auto distance = [](const VectorXd& p, const VectorXd& q) {
     return ((1 - p.array()) / (1 - q.array())).log().abs().maxCoeff();
   };
   const MatrixXd k = symmetric_transfer(c);
-  std::vector<Column> worst;
   for (Index s = 0; s < c.sources(); ++s) {
     std::vector<std::pair<double, const VectorXd*>> open;
     for (const VectorXd& paint : candidates_) {
@@ -257,32 +198,25 @@ std::vector<Column> Reduction::worst_columns(ReducedClass& c, int most) const {
         chosen.push_back(paint);
     }
     for (const VectorXd* paint : chosen) {
-      worst.push_back({.of = &c,
-                       .emission = c.light.sources.emission.col(s),
-                       .direct = c.light.sources.direct.col(s),
-                       .paint = *paint,
-                       .received = c.black.col(s),
-                       .outputs = c.constant.col(s)});
+      worst.push_back({.of = &c, .source = s, .column = column_of(c, s, *paint)});
     }
   }
-  return worst;
 }
 
 /// @return false if more solves bring nothing or are used up
 bool Reduction::grow() {
-  Index sources = 0;
-  for (const ReducedClass& c : classes_) sources += c.sources();
-  const int at_once =
-      static_cast<int>(std::max<Index>(1, kColumnsAtOnce / std::max<Index>(1, sources)));
-  Index most_sources = 1;
-  for (const ReducedClass& c : classes_) most_sources = std::max(most_sources, c.sources());
+  Index sources = 0, most_sources = 0;
+  for (const ReducedClass& c : classes_) {
+    sources += c.sources();
+    most_sources = std::max(most_sources, c.sources());
+  }
+  if (sources == 0) return true;  // no light, nothing to learn
+  const int at_once = static_cast<int>(std::max<Index>(1, PaintedSolver::kColumnsAtOnce / sources));
   const double most = static_cast<double>(options_.most_solves * painted_.groups) *
                       static_cast<double>(most_sources);
   while (solves_ < most) {
-    std::vector<Column> snapshots;
-    for (ReducedClass& c : classes_) {
-      for (Column& column : worst_columns(c, at_once)) snapshots.push_back(std::move(column));
-    }
+    std::vector<Snapshot> snapshots;
+    for (ReducedClass& c : classes_) add_worst(c, at_once, snapshots);
     if (snapshots.empty()) return true;
     const Index before = vectors();
     absorb(snapshots);
@@ -293,39 +227,41 @@ bool Reduction::grow() {
 
 /// Solves, and makes basis vectors of the answers. Since h - g = sum_j rho_j K E_j h, the part of
 /// the group with the largest rho needs no solve of its own.
-void Reduction::absorb(std::vector<Column>& snapshots) {
-  std::vector<std::pair<VectorXd, VectorXd>> black;  // g and y0 of each
-  for (Column& s : snapshots) black.emplace_back(std::move(s.received), std::move(s.outputs));
-  solve(snapshots);
-  std::vector<Column> parts;
-  for (const Column& s : snapshots) {
-    Index free = 0;
-    s.paint.maxCoeff(&free);
+void Reduction::absorb(std::vector<Snapshot>& snapshots) {
+  const auto brightest = [](const PaintedColumn& column) {
+    Index group = 0;
+    column.paint.maxCoeff(&group);
+    return group;
+  };
+  std::vector<PaintedColumn> solved, parts;
+  for (Snapshot& s : snapshots) solved.push_back(std::move(s.column));
+  solve(solved);
+  for (const PaintedColumn& h : solved) {
     for (int j = 0; j < painted_.groups; ++j) {
-      if (j != free) parts.push_back(emitter(*s.of, s.received, j));
+      if (j != brightest(h)) parts.push_back(solver_.emitter(h.fixed, h.received, j));
     }
   }
-  if (!parts.empty()) solve(parts);
-  std::size_t next = 0;
+  solve(parts);
+  auto part = parts.begin();
   for (std::size_t k = 0; k < snapshots.size(); ++k) {
-    const Column& s = snapshots[k];
-    Index free = 0;
-    const double highest = s.paint.maxCoeff(&free);
+    ReducedClass& c = *snapshots[k].of;
+    const PaintedColumn& h = solved[k];
     std::vector<VectorXd> moved(static_cast<std::size_t>(painted_.groups));
     std::vector<VectorXd> phi = moved;
-    VectorXd rest = s.received - black[k].first, rest_outputs = s.outputs - black[k].second;
+    VectorXd rest = h.received - c.black.col(snapshots[k].source);
+    VectorXd rest_outputs = h.outputs - c.constant.col(snapshots[k].source);
     for (int j = 0; j < painted_.groups; ++j) {
-      if (j == free) continue;
-      const auto at = static_cast<std::size_t>(j);
-      moved[at] = parts[next].received;
-      phi[at] = parts[next++].outputs;
-      rest -= s.paint[j] * moved[at];
-      rest_outputs -= s.paint[j] * phi[at];
+      if (j == brightest(h)) continue;
+      rest -= h.paint[j] * part->received;
+      rest_outputs -= h.paint[j] * part->outputs;
+      moved[static_cast<std::size_t>(j)] = std::move(part->received);
+      phi[static_cast<std::size_t>(j)] = std::move(part->outputs);
+      ++part;
     }
-    moved[static_cast<std::size_t>(free)] = rest / highest;
-    phi[static_cast<std::size_t>(free)] = rest_outputs / highest;
-    ReducedClass& c = classes_[static_cast<std::size_t>(s.of - classes_.data())];
-    add_parts(c, s.received, std::move(moved), std::move(phi));
+    const auto free = static_cast<std::size_t>(brightest(h));
+    moved[free] = rest / h.paint.maxCoeff();
+    phi[free] = rest_outputs / h.paint.maxCoeff();
+    add_parts(c, h.received, std::move(moved), std::move(phi));
   }
 }
 
@@ -335,7 +271,7 @@ ReducedRoom Reduction::result() const {
                       .solves = solves_,
                       .highest_reflectance = options_.highest_reflectance};
   // A band without light: no vectors, no outputs.
-  const auto outputs = static_cast<Index>(outputs_.size());
+  const auto outputs = solver_.outputs();
   reduced.transfers.push_back({.k = MatrixXd(0, 0), .phi = MatrixXd(outputs, 0)});
   reduced.bands.resize(static_cast<std::size_t>(painted_.fixed.cols()),
                        {.gamma = MatrixXd(0, lights), .constant = MatrixXd::Zero(outputs, lights)});
@@ -365,7 +301,7 @@ void Reduction::measure(ReducedRoom& reduced) {
   const int lights = static_cast<int>(lights_.size());
   reduced.held_out = lights > 1 ? kHeldOutOfMany : kHeldOut;
   for (int number = 0; number < reduced.held_out; ++number) {
-    std::vector<Column> columns;
+    std::vector<PaintedColumn> columns;
     std::vector<std::pair<int, int>> bands;  // and the light of each
     for (const ReducedClass& c : classes_) {
       for (const int band : c.light.bands) {
@@ -375,7 +311,7 @@ void Reduction::measure(ReducedRoom& reduced) {
         }
         const int light = (band + number) % lights;
         const SourceLight& source = lights_[static_cast<std::size_t>(light)];
-        columns.push_back({.of = &c,
+        columns.push_back({.fixed = c.light.fixed,
                            .emission = source.emission.col(band),
                            .direct = source.direct.col(band),
                            .paint = paint});

@@ -183,6 +183,12 @@ void RoomResponse::add_band(const ReducedViews& views, int band, const VectorXd&
     phi += from_given * bounced;
     k += to_given.transpose() * bounced;
   }
+  for (std::size_t l = 0; l < sums_.size(); ++l) {
+    for (int o = 0; o < outputs_; ++o) {
+      sums_[l].constant[static_cast<std::size_t>(o)][band] = constant(o, static_cast<Index>(l));
+    }
+  }
+  if (own.empty()) return;  // a band without light
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(k);
   const MatrixXd from_pole = phi * eigen.eigenvectors();
   const MatrixXd into_pole = eigen.eigenvectors().transpose() * gamma;
@@ -207,11 +213,6 @@ void RoomResponse::add_band(const ReducedViews& views, int band, const VectorXd&
       }
     }
     ++kept;
-  }
-  for (std::size_t l = 0; l < sums_.size(); ++l) {
-    for (int o = 0; o < outputs_; ++o) {
-      sums_[l].constant[static_cast<std::size_t>(o)][band] = constant(o, static_cast<Index>(l));
-    }
   }
 }
 

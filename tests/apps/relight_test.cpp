@@ -223,6 +223,16 @@ TEST_F(Relight, InPlaceGivesTheSameFile) {
   EXPECT_THAT(names_in(folder.path()), ElementsAre("in.exr", "out.exr"));
 }
 
+/// Of the only pixel of a deep part with a channel Z.
+Imf::DeepFrameBuffer deep_slices(unsigned int& count, float*& samples) {
+  Imf::DeepFrameBuffer slices;
+  slices.insertSampleCountSlice(
+      Imf::Slice(Imf::UINT, reinterpret_cast<char*>(&count), sizeof(count), sizeof(count)));
+  slices.insert("Z", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(&samples), sizeof(float*),
+                                    sizeof(float*), sizeof(float)));
+  return slices;
+}
+
 /// A flat part named "beauty" and a deep one, "smoke", of two samples in its only pixel.
 void write_parts(const std::string& path) {
   std::vector<Imf::Header> headers(2, Imf::Header(1, 1));
@@ -246,13 +256,8 @@ void write_parts(const std::string& path) {
   unsigned int count = 2;
   std::array<float, 2> depths{1.5F, 2.5F};
   float* samples = depths.data();
-  Imf::DeepFrameBuffer slices;
-  slices.insertSampleCountSlice(
-      Imf::Slice(Imf::UINT, reinterpret_cast<char*>(&count), sizeof(count), sizeof(count)));
-  slices.insert("Z", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(&samples), sizeof(float*),
-                                    sizeof(float*), sizeof(float)));
   Imf::DeepScanLineOutputPart deep(file, 1);
-  deep.setFrameBuffer(slices);
+  deep.setFrameBuffer(deep_slices(count, samples));
   deep.writePixels(1);
 }
 
@@ -277,12 +282,7 @@ TEST_F(Relight, PartsWithoutColoursAreCopied) {
   unsigned int count = 0;
   std::array<float, 2> depths{};
   float* samples = depths.data();
-  Imf::DeepFrameBuffer slices;
-  slices.insertSampleCountSlice(
-      Imf::Slice(Imf::UINT, reinterpret_cast<char*>(&count), sizeof(count), sizeof(count)));
-  slices.insert("Z", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(&samples), sizeof(float*),
-                                    sizeof(float*), sizeof(float)));
-  deep.setFrameBuffer(slices);
+  deep.setFrameBuffer(deep_slices(count, samples));
   deep.readPixelSampleCounts(0);
   deep.readPixels(0);
   EXPECT_EQ(count, 2U);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "appearance/spectra/input_error.h"
+#include "scenes/room_json.h"
 
 namespace scenes {
 
@@ -65,6 +66,12 @@ inline std::vector<spectra::Fault> faults_of(const std::function<void()>& readin
     return error.faults();
   }
   return {};
+}
+
+inline Room read(const json& room) { return read_room(write_file("room.json", room.dump(1))); }
+
+inline const Surface& surface(const Room& room, const std::string& name) {
+  return room.surfaces.at(static_cast<std::size_t>(find_surface(room, name)));
 }
 
 }  // namespace scenes

@@ -5,6 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/solver/office_brick.h"
+
 namespace solver {
 namespace {
 
@@ -16,15 +18,6 @@ Parts random_parts(Eigen::Index parts, unsigned seed, double most) {
   std::uniform_real_distribution<double> uniform(0, most);
   return Parts::NullaryExpr(parts, 20, [&] { return uniform(random); });
 }
-
-const BrickShape kOffice{.width_m = 5,
-                         .depth_m = 4,
-                         .height_m = 2.7,
-                         .furniture_height = 0.3,
-                         .window_width_m = 2,
-                         .window_height_m = 1.4,
-                         .window_sill_m = 0.9,
-                         .window_offset_m = 1.5};
 
 Parts column(std::initializer_list<double> values) {
   Parts parts(static_cast<Eigen::Index>(values.size()), 1);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/solver/office_brick.h"
+
 namespace solver {
 namespace {
 
@@ -81,16 +83,8 @@ TEST(CubeRadiosity, RefusesWhatHasNoAnswer) {
 }
 
 std::vector<BrickShape> shapes() {
-  const BrickShape office{.width_m = 5,
-                          .depth_m = 4,
-                          .height_m = 2.7,
-                          .furniture_height = 0.3,
-                          .window_width_m = 2,
-                          .window_height_m = 1.4,
-                          .window_sill_m = 0.9,
-                          .window_offset_m = 1.5};
-  BrickShape no_furniture = office, no_window = office, glass_wall = office, corner = office,
-             slit = office, corridor = office, shaft = office;
+  BrickShape no_furniture = kOffice, no_window = kOffice, glass_wall = kOffice, corner = kOffice,
+             slit = kOffice, corridor = kOffice, shaft = kOffice;
   no_furniture.furniture_height = 0;
   no_window.window_width_m = 0;
   glass_wall.window_width_m = 5, glass_wall.window_offset_m = 0;
@@ -99,7 +93,7 @@ std::vector<BrickShape> shapes() {
   slit.window_width_m = 0.01;
   corridor.depth_m = 50;
   shaft.height_m = 100, shaft.furniture_height = 0.01;
-  return {office, no_furniture, no_window, glass_wall, corner, slit, corridor, shaft};
+  return {kOffice, no_furniture, no_window, glass_wall, corner, slit, corridor, shaft};
 }
 
 class EveryBrick : public testing::TestWithParam<BrickShape> {
@@ -201,10 +195,9 @@ TEST(BrickRadiosity, OfACubeIsThatOfTheCube) {
 }
 
 TEST(BrickRadiosity, RefusesShapesThatAreNoBrick) {
-  const BrickShape office = shapes()[0];
   const Parts parts = Parts::Constant(10, 1, 0.5);
   const auto refuses = [&](auto change) {
-    BrickShape bad = office;
+    BrickShape bad = kOffice;
     change(bad);
     EXPECT_THROW((void)brick_form_factors(bad), std::invalid_argument);
     EXPECT_THROW((void)brick_areas_m2(bad), std::invalid_argument);
@@ -217,7 +210,7 @@ TEST(BrickRadiosity, RefusesShapesThatAreNoBrick) {
   refuses([](BrickShape& s) { s.furniture_height = std::numeric_limits<double>::quiet_NaN(); });
   refuses([](BrickShape& s) { s.window_offset_m = 3.1; });
   refuses([](BrickShape& s) { s.window_sill_m = -0.1; });
-  EXPECT_THROW((void)brick_radiosity(office, Parts::Zero(9, 1), parts), std::invalid_argument);
+  EXPECT_THROW((void)brick_radiosity(kOffice, Parts::Zero(9, 1), parts), std::invalid_argument);
 }
 
 }  // namespace

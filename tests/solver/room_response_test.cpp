@@ -170,6 +170,32 @@ TEST(RoomResponse, BandsThatDifferInLightAloneShareTheirSolves) {
   EXPECT_LT(reduce_views(box, prepare_transport(box)).room.solves, 1);
 }
 
+TEST(RoomResponse, RoomWithoutLightIsDarkAndNeedsNoSolve) {
+  const scenes::Room room = sample_room("box", 1);
+  RoomTransport transport = prepare_transport(room);
+  transport.lightings[0].emission.setZero();
+  const ReducedViews views = reduce_views(room, transport);
+  EXPECT_TRUE(views.room.converged);
+  EXPECT_EQ(views.room.solves, 0);
+  const spectra::ViewedLight dark =
+      RoomResponse(views, 0, 0, {}).light(spectra::constant(room.grid, 0.5));
+  EXPECT_EQ(dark.sample.values.maxCoeff(), 0);
+  EXPECT_EQ(dark.field.values.maxCoeff(), 0);
+}
+
+// Only some bands carry light, as under a laser; the others stay dark.
+TEST(RoomResponse, BandsWithoutLightStayDark) {
+  const scenes::Room room = sample_room("box", 1);
+  RoomTransport transport = prepare_transport(room);
+  transport.lightings[0].emission.leftCols(20).setZero();
+  const ReducedViews views = reduce_views(room, transport);
+  EXPECT_LT(worst_difference(room, transport, views), 1e-6);
+  const spectra::ViewedLight light =
+      RoomResponse(views, 0, 0, {}).light(spectra::constant(room.grid, 0.5));
+  EXPECT_EQ(light.sample.values.head(20).maxCoeff(), 0);
+  EXPECT_GT(light.sample.values.tail(11).minCoeff(), 0);
+}
+
 TEST(RoomResponse, RefusesWhatIsNoPaint) {
   const scenes::Room room = sample_room("box", 1);
   const ReducedViews views = reduce_views(room, prepare_transport(room));
