@@ -140,7 +140,7 @@ Correlates ciecam02_forward(const RelativeXyz& sample, const Adaptation& a) {
 }
 
 RelativeXyz ciecam02_inverse(const LightnessChromaHue& wished, const Adaptation& a) {
-  const auto& [lightness, chroma, hue_deg] = wished;
+  const double lightness = wished.lightness, chroma = wished.chroma, hue_deg = wished.hue_deg;
   const auto no_stimulus = [&] {
     return std::domain_error(
         fmt::format("CIECAM02: no stimulus has J {} C {} h {}", lightness, chroma, hue_deg));

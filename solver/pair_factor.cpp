@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
-#include <ranges>
 
 namespace solver {
 namespace {
@@ -120,8 +120,12 @@ double perpendicular_rectangles(Span x, Span y, Span xi, Span eta) {
 double point_to_polygon(const Vector3d& point, const Vector3d& normal,
                         const std::vector<Vector3d>& polygon) {
   const Plane horizon{normal, normal.dot(point)};
-  const auto height = [&](const Vector3d& p) { return horizon.height_m(p); };
-  const auto [lowest, highest] = std::ranges::minmax(polygon | std::views::transform(height));
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Vector3d& vertex : polygon) {
+    const double height = horizon.height_m(vertex);
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
+  }
   if (highest <= kOnHorizon_m) return 0;  // in the plane of the element, or behind it
   const std::vector<Vector3d> clipped =
       lowest < 0 ? clip(polygon, horizon) : std::vector<Vector3d>();

@@ -191,7 +191,8 @@ void Reduction::add_worst(ReducedClass& c, int most, std::vector<Snapshot>& wors
     }
     std::ranges::stable_sort(open, std::greater{}, [](const auto& entry) { return entry.first; });
     std::vector<const VectorXd*> chosen;
-    for (const auto& [left, paint] : open) {
+    for (const auto& candidate : open) {
+      const VectorXd* paint = candidate.second;
       if (static_cast<int>(chosen.size()) == most) break;
       if (std::ranges::all_of(chosen,
                               [&](const VectorXd* other) { return distance(*paint, *other) > 1; }))

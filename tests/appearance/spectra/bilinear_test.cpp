@@ -17,9 +17,12 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-nlohmann::json published() {
-  std::ifstream file(TEST_DATA "/granier2004.json");
-  return nlohmann::json::parse(file);
+const nlohmann::json& published() {
+  static const nlohmann::json numbers = [] {
+    std::ifstream file(TEST_DATA "/granier2004.json");
+    return nlohmann::json::parse(file);
+  }();
+  return numbers;
 }
 
 Vector3d triple(const nlohmann::json& list) {
