@@ -171,7 +171,7 @@ TEST(JabSlope, IsZeroWhereTheModelDefinesNothing) {
   const JabSlope slope = jab_slope(light);
   EXPECT_TRUE(slope.status.negative_achromatic);
   EXPECT_EQ(slope.jab, Eigen::Vector3d::Zero());
-  EXPECT_EQ(slope.by_reflectance, Eigen::Matrix3Xd::Zero(3, 31));
+  EXPECT_LT(slope.by_reflectance.norm(), 1e-300);  // what underflows depends on the compiler
 }
 
 TEST(JabSlope, RefusesDarknessAndMixedGrids) {

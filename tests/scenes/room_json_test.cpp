@@ -308,7 +308,7 @@ TEST(RoomJson, SunBehindEveryOpeningAddsNothingAndIsSaid) {
     "sun": { "azimuth_deg": 10, "altitude_deg": 30 }, "spectrum": { "illuminant": "D55" },
     "illuminance_lx": 1000 })"));
   EXPECT_THAT(all_notes(read(file)), HasSubstr("/lights/2/sun"));
-  file["lights"] = {file["lights"][2]};
+  file["lights"] = json::array({file["lights"][2]});
   file["surfaces"]["window"] = 0.1;
   ASSERT_EQ(faults_in(file).size(), 1);
   EXPECT_THAT(faults_in(file)[0].problem, HasSubstr("behind all openings"));
