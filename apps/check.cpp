@@ -21,11 +21,11 @@ std::string plan_text(const scenes::Room& room, const solver::Plan& plan) {
              {"patches", fmt::format("{}", plan.patches)},
              {"pairs that face each other", fmt::format("{}", plan.pairs)},
              {"pairs that something may block", fmt::format("{}", plan.occludable_pairs)},
-             {"bands with light", fmt::format("{}", plan.bands)},
+             {"bands with light, solved", fmt::format("{}, {}", plan.bands, plan.solved_bands)},
              {"memory", fmt::format("{:.1f} MB", static_cast<double>(plan.memory_bytes) * 1e-6)},
              {"expected time on one core", fmt::format("{:.2f} s", plan.expected_seconds)}});
-  for (const auto& [what, why] : plan.left_out)
-    text += fmt::format("left out: {}: {}\n", what, why);
+  for (const auto& [what, why, saved_seconds] : plan.left_out)
+    text += fmt::format("left out, about {:.2f} s: {}: {}\n", saved_seconds, what, why);
   return text;
 }
 

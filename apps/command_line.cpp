@@ -70,6 +70,9 @@ void add_options(CLI::App& command, RoomOptions& options) {
                   "auto (default: cg where it applies, else bicgstab), cg, jacobi, gauss-seidel, "
                   "progressive, direct or bicgstab")
       ->transform(CLI::CheckedTransformer(method_names()).description("METHOD"));
+  command.add_flag(
+      "!--no-skip", options.radiosity.skip,
+      "compute also what the plan finds that the scene does not need; slower, same result");
 }
 
 /// What every look at the paints of an atlas in a room takes.

@@ -38,7 +38,8 @@ const std::map<std::string, paints::Distance>& distance_names() {
 Json to_json(const RoomOptions& options) {
   return {{"patch_m", options.patch_m > 0 ? Json(options.patch_m) : Json()},
           {"method", name_in(method_names(), options.radiosity.method)},
-          {"relative_error", options.radiosity.relative_error}};
+          {"relative_error", options.radiosity.relative_error},
+          {"skip", options.radiosity.skip}};
 }
 
 Json to_json(const RankOptions& options) {

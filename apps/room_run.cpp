@@ -39,8 +39,9 @@ void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::pa
   for (std::size_t g = views.size(); g < std::max<std::size_t>(1, run.room.paint.size()); ++g) {
     views.push_back(viewed_point(run, g));  // if nothing can be looked at, say so before long work
   }
-  run.transport =
-      solver::prepare_transport(run.room, {.patch_m = options.patch_m, .views = std::move(views)});
+  run.transport = solver::prepare_transport(
+      run.room,
+      {.patch_m = options.patch_m, .views = std::move(views), .skip = options.radiosity.skip});
   run.clock.stop("transport");
   run.record["transport"] = describe(run.transport);
 }

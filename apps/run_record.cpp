@@ -78,11 +78,14 @@ Json describe(const scenes::Room& room) {
 
 Json describe(const solver::Plan& plan) {
   Json left_out = Json::array();
-  for (const auto& [what, why] : plan.left_out) left_out.push_back({{"what", what}, {"why", why}});
+  for (const auto& [what, why, saved_seconds] : plan.left_out) {
+    left_out.push_back({{"what", what}, {"why", why}, {"saved_seconds", saved_seconds}});
+  }
   return {{"patches", plan.patches},
           {"pairs", plan.pairs},
           {"occludable_pairs", plan.occludable_pairs},
           {"bands", plan.bands},
+          {"solved_bands", plan.solved_bands},
           {"memory_bytes", plan.memory_bytes},
           {"expected_seconds", plan.expected_seconds},
           {"left_out", left_out}};

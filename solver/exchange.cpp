@@ -82,6 +82,7 @@ class Assembly {
   };
 
   [[nodiscard]] bool any_facing(int row, int column) const {
+    if (!options_.skip) return true;
     for (std::size_t i = begin(row); i < end(row); ++i) {
       for (std::size_t j = begin(column); j < end(column); ++j) {
         if (facing_.relation(i, j) != FacingTable::Pair::none) return true;
@@ -119,8 +120,11 @@ class Assembly {
     std::array<int, kTile> order{};
     for (std::size_t j = first; j < end(column); ++j) {
       const FacingTable::Pair pair = facing_.relation(i, j);
-      if (pair == FacingTable::Pair::none) continue;
-      ++counts.facing;
+      if (pair != FacingTable::Pair::none) {
+        ++counts.facing;
+      } else if (options_.skip) {
+        continue;
+      }
       const Facet &fi = facets_[i], &fj = facets_[j];
       const double ratio = (fi.centre - fj.centre).norm() / std::max(fi.size_m, fj.size_m);
       const std::size_t k = j - begin(column);

@@ -36,6 +36,7 @@ struct ExchangeOptions {
   std::vector<bool> lamp;  ///< patches that shine get `lamp_rays`; empty: none
   int rays = 64;           ///< for a pair of which the first 16 rays disagree
   int lamp_rays = 256;
+  bool skip = true;  ///< false: pairs that turn their backs are computed too, to 0
 };
 
 [[nodiscard]] ExchangeAreas compute_exchange(const scenes::PatchMesh& mesh,

@@ -43,15 +43,63 @@ void check(const ExchangeAreas& exchange, const Bands& emission, const Bands& di
   require(options.max_iterations > 0, "iterations", options.max_iterations, "more than 0");
 }
 
-/// Bands that carry light; all or none where they exchange it.
-std::vector<Index> lit_bands(const Bands& emission, const Bands& direct,
-                             const Reflector& reflector) {
+/// Bands that carry light; all or none where they exchange it; all without `skip`.
+std::vector<Index> lit_bands(const Bands& emission, const Bands& direct, const Reflector& reflector,
+                             bool skip) {
   std::vector<Index> lit;
   for (Index k = 0; k < emission.cols(); ++k) {
-    if ((emission.col(k) != 0).any() || (direct.col(k) != 0).any()) lit.push_back(k);
+    if (!skip || (emission.col(k) != 0).any() || (direct.col(k) != 0).any()) lit.push_back(k);
   }
   if (reflector.couples_bands() && !lit.empty()) lit = {0, 1, 2};
   return lit;
+}
+
+/// A band whose solution is that of another one times a factor.
+struct Repeat {
+  Index band, of;
+  double factor;
+};
+
+/// b = factor a, up to the rounding of one product.
+bool proportional(const Bands& values, Index b, Index a, double factor) {
+  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+  return ((values.col(b) - factor * values.col(a)).abs() <= kRounding * values.col(b).abs()).all();
+}
+
+/// Takes from `lit` the bands with the reflectances of an earlier one and its light times a factor.
+std::vector<Repeat> take_repeats(const Bands& emission, const Bands& direct,
+                                 const Reflector& reflector, std::vector<Index>& lit) {
+  std::vector<Repeat> repeats;
+  if (reflector.couples_bands()) return repeats;
+  const Bands& rho = reflector.numbers();
+  std::vector<Index> kept;
+  for (const Index b : lit) {
+    const double light = emission.col(b).sum() + direct.col(b).sum();
+    const auto same = std::ranges::find_if(kept, [&](Index a) {
+      const double factor = light / (emission.col(a).sum() + direct.col(a).sum());
+      return std::isfinite(factor) && (rho.col(a) == rho.col(b)).all() &&
+             proportional(emission, b, a, factor) && proportional(direct, b, a, factor);
+    });
+    if (same == kept.end()) {
+      kept.push_back(b);
+    } else {
+      const Index a = *same;
+      repeats.push_back({b, a, light / (emission.col(a).sum() + direct.col(a).sum())});
+    }
+  }
+  lit = kept;
+  return repeats;
+}
+
+/// The solution of a band, times the factor.
+void repeat(RadiositySolution& solution, const Repeat& r) {
+  solution.radiosity.col(r.band) = r.factor * solution.radiosity.col(r.of);
+  solution.irradiance.col(r.band) = r.factor * solution.irradiance.col(r.of);
+  BandReport report = solution.bands[static_cast<std::size_t>(r.of)];
+  report.rms_error_bound *= std::abs(r.factor);
+  report.max_error_bound *= std::abs(r.factor);
+  report.norm_error_bound *= std::abs(r.factor);
+  solution.bands[static_cast<std::size_t>(r.band)] = report;
 }
 
 /// The factor by which light grows or fades from bounce to bounce, per band: the power method from
@@ -96,6 +144,26 @@ MethodResult run(const RadiositySystem& system, const RadiosityOptions& options)
       break;
   }
   return lockstep_conjugate_gradients(system, options);
+}
+
+/// What a method found for the bands `lit`.
+void put(const MethodResult& result, const RadiositySystem& system, const std::vector<Index>& lit,
+         RadiositySolution& solution) {
+  const Certificate& proof = result.certificate;
+  const double root_total_area = std::sqrt(system.exchange.area_m2.sum());
+  const double gather_norm = system.exchange.gather_norm.maxCoeff();
+  for (std::size_t k = 0; k < lit.size(); ++k) {
+    const auto column = static_cast<Index>(k);
+    solution.radiosity.col(lit[k]) = proof.radiosity.col(column);
+    solution.irradiance.col(lit[k]) = proof.irradiance.col(column);
+    solution.bands[static_cast<std::size_t>(lit[k])] = {
+        .iterations = result.iterations[column],
+        .rms_error_bound = proof.norm[column] / root_total_area,
+        .max_error_bound = proof.norm[column] * gather_norm,
+        .norm_error_bound = proof.norm[column] * system.contraction[column],
+        .contraction = system.contraction[column],
+        .converged = proof.norm[column] <= proof.allowed[column]};
+  }
 }
 
 }  // namespace
@@ -181,7 +249,9 @@ RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& em
       .bands = std::vector<BandReport>(static_cast<std::size_t>(emission.cols())),
       .method = method_for(reflector, options.method),
       .converged = true};
-  const std::vector<Index> lit = lit_bands(emission, direct, reflector);
+  std::vector<Index> lit = lit_bands(emission, direct, reflector, options.skip);
+  const std::vector<Repeat> repeats =
+      options.skip ? take_repeats(emission, direct, reflector, lit) : std::vector<Repeat>();
   if (lit.empty()) return solution;
 
   RadiositySystem system{.exchange = exchange,
@@ -199,22 +269,9 @@ RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& em
   RadiosityOptions chosen = options;
   chosen.method = solution.method;
   const MethodResult result = run(system, chosen);
-  const Certificate& proof = result.certificate;
-  const double root_total_area = std::sqrt(exchange.area_m2.sum());
-  const double gather_norm = exchange.gather_norm.maxCoeff();
-  for (std::size_t k = 0; k < lit.size(); ++k) {
-    const auto column = static_cast<Index>(k);
-    solution.radiosity.col(lit[k]) = proof.radiosity.col(column);
-    solution.irradiance.col(lit[k]) = proof.irradiance.col(column);
-    solution.bands[static_cast<std::size_t>(lit[k])] = {
-        .iterations = result.iterations[column],
-        .rms_error_bound = proof.norm[column] / root_total_area,
-        .max_error_bound = proof.norm[column] * gather_norm,
-        .norm_error_bound = proof.norm[column] * system.contraction[column],
-        .contraction = system.contraction[column],
-        .converged = proof.norm[column] <= proof.allowed[column]};
-  }
-  solution.converged = proof.converged() && exchange.closure_defect <= kClosed;
+  put(result, system, lit, solution);
+  for (const Repeat& r : repeats) repeat(solution, r);
+  solution.converged = result.certificate.converged() && exchange.closure_defect <= kClosed;
   return solution;
 }
 

@@ -30,6 +30,7 @@ struct RadiosityOptions {
   double relative_error =
       1e-6;                     ///< stop when a band's rms_error_bound <= this * its rms irradiance
   int max_iterations = 100000;  ///< sweeps over the matrix (progressive: shots / patches)
+  bool skip = true;  ///< false: bands without light, and bands that repeat another, are solved too
 };
 
 /// Per band. The bounds hold whatever the method and whether or not it converged, up to rounding in

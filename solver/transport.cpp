@@ -57,13 +57,44 @@ Bands emission_of(const scenes::Room& room, const scenes::PatchMesh& mesh) {
   return emission;
 }
 
-/// Bands in which anything shines.
-int lit_bands(const scenes::Room& room) {
-  Eigen::ArrayXd light = Eigen::ArrayXd::Zero(room.grid.count);
-  for (const scenes::Surface& s : room.surfaces) light += s.exitance.values;
-  for (const scenes::PointLight& p : room.point_lights) light += p.spectral_flux.values;
-  for (const scenes::Sun& s : room.suns) light += s.normal_irradiance.values;
-  return static_cast<int>((light > 0).count());
+/// Every spectrum that shines, a column each.
+Eigen::ArrayXXd lights_of(const scenes::Room& room) {
+  std::vector<const spectra::Spectrum*> all;
+  for (const scenes::Surface& s : room.surfaces) all.push_back(&s.exitance);
+  for (const scenes::PointLight& p : room.point_lights) all.push_back(&p.spectral_flux);
+  for (const scenes::Sun& s : room.suns) all.push_back(&s.normal_irradiance);
+  Eigen::ArrayXXd lights(room.grid.count, static_cast<Eigen::Index>(all.size()));
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    lights.col(static_cast<Eigen::Index>(k)) = all[k]->values;
+  }
+  return lights;
+}
+
+/// Bands in which anything shines, and of those the ones that do not repeat an earlier one: its
+/// reflectances, its light times a factor.
+struct BandCounts {
+  int lit = 0, distinct = 0;
+};
+
+BandCounts count_bands(const scenes::Room& room) {
+  const Eigen::ArrayXXd lights = lights_of(room);
+  std::vector<Eigen::Index> distinct;
+  BandCounts counts;
+  for (Eigen::Index b = 0; b < lights.rows(); ++b) {
+    if (!(lights.row(b) > 0).any()) continue;
+    ++counts.lit;
+    const auto repeats = [&](Eigen::Index a) {
+      const double factor = lights.row(b).sum() / lights.row(a).sum();
+      const bool reflect_alike = std::ranges::all_of(room.surfaces, [&](const scenes::Surface& s) {
+        return s.reflectance.values[a] == s.reflectance.values[b];
+      });
+      return reflect_alike &&
+             ((lights.row(b) - factor * lights.row(a)).abs() <= 1e-15 * lights.row(b).abs()).all();
+    };
+    if (std::ranges::none_of(distinct, repeats)) distinct.push_back(b);
+  }
+  counts.distinct = static_cast<int>(distinct.size());
+  return counts;
 }
 
 /// A lower estimate from the surfaces alone, before a mesh of any size is made.
@@ -137,31 +168,56 @@ void count_pairs(const scenes::PatchMesh& mesh, const Visibility& visibility, Pl
   plan.occludable_pairs = occludable * scale / 2;
 }
 
+double sweep_seconds(int patches, int bands) {
+  return kUsualSweeps * kSweepSeconds * patches * patches * std::ceil(bands / 16.0);
+}
+
+/// What is left out of the pairs, of their rays, and of the bands.
+std::vector<Omission> omissions(const scenes::Room& room, const Plan& plan, bool unobstructed) {
+  std::vector<Omission> all;
+  const std::int64_t n = plan.patches, pairs = n * (n - 1) / 2;
+  all.push_back({fmt::format("{} of {} pairs", pairs - plan.pairs, pairs),
+                 "the patches lie in one plane or turn their backs to each other",
+                 kPairSeconds * static_cast<double>(pairs - plan.pairs)});
+  const std::int64_t free_pairs = plan.pairs - plan.occludable_pairs;
+  const double rays_saved = kOccludablePairSeconds * static_cast<double>(free_pairs);
+  if (unobstructed) {
+    all.push_back(
+        {"visibility", "an empty convex room: nothing can stand between two patches", rays_saved});
+  } else {
+    all.push_back({fmt::format("rays for {} of {} pairs", free_pairs, plan.pairs),
+                   "no furniture and no wall can stand between them", rays_saved});
+  }
+  const int dark = room.grid.count - plan.bands, repeats = plan.bands - plan.solved_bands;
+  const auto saved = [&](int more, int fewer) {
+    return sweep_seconds(plan.patches, more) - sweep_seconds(plan.patches, fewer);
+  };
+  if (dark > 0) {
+    all.push_back({fmt::format("{} of {} bands", dark, room.grid.count), "no lamp shines in them",
+                   saved(room.grid.count, plan.bands)});
+  }
+  if (repeats > 0) {
+    all.push_back({fmt::format("{} of {} bands", repeats, room.grid.count),
+                   "same reflectances as another band, and its light times a factor",
+                   saved(plan.bands, plan.solved_bands)});
+  }
+  return all;
+}
+
 Plan plan_with(const scenes::Room& room, const scenes::PatchMesh& mesh,
-               const Visibility& visibility) {
-  Plan plan{.patches = mesh.size(), .bands = lit_bands(room)};
+               const Visibility& visibility, bool skip) {
+  const BandCounts bands = count_bands(room);
+  Plan plan{.patches = mesh.size(), .bands = bands.lit, .solved_bands = bands.distinct};
   count_pairs(mesh, visibility, plan);
   plan.memory_bytes = static_cast<std::int64_t>(bytes_for(mesh.size(), room));
-  const double n = mesh.size();
+  if (skip) {
+    plan.left_out = omissions(room, plan, visibility.unobstructed());
+  } else {
+    plan.solved_bands = room.grid.count;
+  }
   plan.expected_seconds = kPairSeconds * static_cast<double>(plan.pairs) +
                           kOccludablePairSeconds * static_cast<double>(plan.occludable_pairs) +
-                          kUsualSweeps * kSweepSeconds * n * n * std::ceil(plan.bands / 16.0);
-  const std::int64_t all_pairs = std::int64_t{mesh.size()} * (mesh.size() - 1) / 2;
-  plan.left_out.push_back({fmt::format("{} of {} pairs", all_pairs - plan.pairs, all_pairs),
-                           "the patches lie in one plane or turn their backs to each other"});
-  if (visibility.unobstructed()) {
-    plan.left_out.push_back(
-        {"visibility", "an empty convex room: nothing can stand between two patches"});
-  } else {
-    plan.left_out.push_back(
-        {fmt::format("rays for {} of {} pairs", plan.pairs - plan.occludable_pairs, plan.pairs),
-         "no furniture and no wall can stand between them"});
-  }
-  if (plan.bands < room.grid.count) {
-    plan.left_out.push_back(
-        {fmt::format("{} of {} bands", room.grid.count - plan.bands, room.grid.count),
-         "no lamp shines in them"});
-  }
+                          sweep_seconds(plan.patches, plan.solved_bands);
   return plan;
 }
 
@@ -184,8 +240,8 @@ std::int64_t available_memory_bytes() {
   return std::int64_t{4} << 30;  // a system that does not say is taken to have 4 GB
 }
 
-Plan make_plan(const scenes::Room& room, const scenes::PatchMesh& mesh) {
-  return plan_with(room, mesh, Visibility(room, mesh));
+Plan make_plan(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip) {
+  return plan_with(room, mesh, Visibility(room, mesh, skip), skip);
 }
 
 RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions& options) {
@@ -198,19 +254,19 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   RoomTransport t;
   t.mesh = scenes::mesh_room(room, patch_m);
   t.seconds["mesh"] = watch.lap();
-  const Visibility visibility(room, t.mesh);
-  t.plan = plan_with(room, t.mesh, visibility);
+  const Visibility visibility(room, t.mesh, options.skip);
+  t.plan = plan_with(room, t.mesh, visibility, options.skip);
   require_memory(static_cast<double>(t.plan.memory_bytes), limit, patch_m);
   t.seconds["plan"] = watch.lap();
 
   const std::vector<bool> lamp = lamp_patches(room, t.mesh);
-  t.exchange = compute_exchange(t.mesh, visibility, {.lamp = lamp});
+  t.exchange = compute_exchange(t.mesh, visibility, {.lamp = lamp, .skip = options.skip});
   t.closure_defect = t.exchange.closure_defect;
   t.reciprocity_defect = t.exchange.reciprocity_defect;
   t.largest_scaling = t.exchange.largest_scaling;
   if (!t.exchange.isolated.empty()) {
     t.plan.left_out.push_back(
-        {fmt::format("{} patches", t.exchange.isolated.size()), "they see nothing"});
+        {fmt::format("{} patches", t.exchange.isolated.size()), "they see nothing", 0});
   }
   t.seconds["exchange"] = watch.lap();
 

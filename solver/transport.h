@@ -20,6 +20,7 @@ void set_threads(int threads);
 /// What a scene does not need and is therefore left out, and why.
 struct Omission {
   std::string what, why;
+  double saved_seconds = 0;  ///< of one core, rough
 };
 
 /// Made before anything is computed; what it leaves out changes no result beyond rounding.
@@ -28,13 +29,16 @@ struct Plan {
   std::int64_t pairs = 0;             ///< of patches that face each other
   std::int64_t occludable_pairs = 0;  ///< of those, pairs that something might stand between
   int bands = 0;                      ///< that carry light
+  int solved_bands = 0;  ///< of those, the ones whose solution is not another's times a number
   std::int64_t memory_bytes = 0;      ///< peak, estimated
   double expected_seconds = 0;        ///< of one core, rough
   std::vector<Omission> left_out;
 };
 
 /// Pairs are counted exactly up to some thousand patches, beyond that from a sample of rows.
-[[nodiscard]] Plan make_plan(const scenes::Room& room, const scenes::PatchMesh& mesh);
+/// @param skip  false: nothing is left out
+[[nodiscard]] Plan make_plan(const scenes::Room& room, const scenes::PatchMesh& mesh,
+                             bool skip = true);
 
 /// The memory that this process may still take, bytes.
 [[nodiscard]] std::int64_t available_memory_bytes();
@@ -50,6 +54,7 @@ struct TransportOptions {
   std::vector<ViewedPoint> views;       ///< empty: the viewed point of each painted group
   double visibility_error = 1e-3;       ///< aimed at for the visible share of lamps at receivers
   std::int64_t memory_limit_bytes = 0;  ///< 0: what the machine has free
+  bool skip = true;                     ///< leave out what the scene does not need
 };
 
 /// A point where light is read, and how.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "solver/ray_scene.h"
 
@@ -49,8 +50,10 @@ class Sequence4 {
 struct WeightedShare {
   double weight = 0, open = 0, open_squared = 0, weight_squared = 0, cross = 0;
   int count = 0;
+  bool some_open = false, some_blocked = false;  ///< among rays that carry light
 
   void add(double w, bool is_open) {
+    (is_open ? some_open : some_blocked) |= w > 0;
     const double o = is_open ? w : 0;
     weight += w;
     open += o;
@@ -60,8 +63,12 @@ struct WeightedShare {
     ++count;
   }
 
+  /// Some rays carry light, and what they say is the same.
+  [[nodiscard]] bool agreed() const { return some_open != some_blocked; }
+
+  /// All, where no ray carries light: two that hardly face each other.
   [[nodiscard]] VisibleShare share() const {
-    if (weight <= 0) return {.share = 0};
+    if (weight <= 0) return {};
     const double ratio = open / weight;
     const double variance = open_squared - 2 * ratio * cross + ratio * ratio * weight_squared;
     return {ratio, std::sqrt(std::max(0.0, variance)) / weight};
@@ -74,9 +81,29 @@ double kernel(const Vector3d& p, const Vector3d& np, const Vector3d& q, const Ve
   return std::max(0.0, np.dot(r)) * std::max(0.0, -nq.dot(r)) / (r2 * r2);
 }
 
+/// A facet, or what of it is in front of a plane: points behind carry no light.
+class Front {
+ public:
+  Front(const Facet& facet, const Plane& plane) : whole_(facet) {
+    const auto behind = [&](const Vector3d& v) { return plane.height_m(v) < -kTouching_m; };
+    if (std::ranges::none_of(facet.vertices, behind)) return;
+    std::vector<Vector3d> vertices = clip(facet.vertices, plane);
+    if (!vertices.empty()) part_ = make_facet(std::move(vertices));
+  }
+
+  [[nodiscard]] Vector3d point(double s, double t) const {
+    return area_point(part_ ? *part_ : whole_, s, t);
+  }
+
+ private:
+  const Facet& whole_;
+  std::optional<Facet> part_;
+};
+
 }  // namespace
 
-Visibility::Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh) {
+Visibility::Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip)
+    : skip_(skip) {
   const scenes::Occluders faces = scenes::occluders(room);
   if (faces.triangles.empty()) return;
   for (const scenes::Box& box : room.furniture) {
@@ -152,12 +179,14 @@ bool any_blocker_between(const std::uint8_t* a, const std::uint8_t* b, std::size
 
 bool Visibility::may_block(int i, int j) const {
   const std::size_t n = blockers_.size();
+  if (!skip_) return n > 0;
   return any_blocker_between(patch_masks_.data() + static_cast<std::size_t>(i) * n,
                              patch_masks_.data() + static_cast<std::size_t>(j) * n, n);
 }
 
 bool Visibility::may_block(const SeparationMask& set, int patch) const {
   const std::size_t n = blockers_.size();
+  if (!skip_) return n > 0;
   return any_blocker_between(set.data(), patch_masks_.data() + static_cast<std::size_t>(patch) * n,
                              n);
 }
@@ -198,20 +227,21 @@ std::uint32_t Visibility::blocked16(const Vector3d* from, const Vector3d* to, in
 VisibleShare Visibility::between(const Facet& i, const Facet& j, std::uint64_t seed,
                                  int most_rays) const {
   const Sequence4 sequence(seed);
+  const Front front_i(i, j.plane()), front_j(j, i.plane());
   WeightedShare sum;
   for (int done = 0; done < most_rays; done += kPacket) {
     std::array<Vector3d, kPacket> from, to;
     for (int k = 0; k < kPacket; ++k) {
       const auto s = static_cast<std::size_t>(k);
-      from[s] = area_point(i, sequence(done + k, 0), sequence(done + k, 1));
-      to[s] = area_point(j, sequence(done + k, 2), sequence(done + k, 3));
+      from[s] = front_i.point(sequence(done + k, 0), sequence(done + k, 1));
+      to[s] = front_j.point(sequence(done + k, 2), sequence(done + k, 3));
     }
     const std::uint32_t blocked = blocked16(from.data(), to.data(), kPacket);
     for (int k = 0; k < kPacket; ++k) {
       const auto s = static_cast<std::size_t>(k);
       sum.add(kernel(from[s], i.normal, to[s], j.normal), (blocked >> k & 1U) == 0);
     }
-    if (done == 0 && (blocked == 0 || blocked == 0xffffU)) break;
+    if (done == 0 && sum.agreed()) break;
   }
   return sum.share();
 }
@@ -220,6 +250,7 @@ VisibleShare Visibility::from_point(const Vector3d& point, const Vector3d& norma
                                     const Facet& facet, std::uint64_t seed, double error,
                                     int most_rays) const {
   const Sequence4 sequence(seed);
+  const Front front(facet, Plane{normal, normal.dot(point)});
   WeightedShare sum;
   std::array<Vector3d, kPacket> from, to;
   from.fill(point);
@@ -227,7 +258,7 @@ VisibleShare Visibility::from_point(const Vector3d& point, const Vector3d& norma
     while (sum.count < target) {
       for (int k = 0; k < kPacket; ++k) {
         to[static_cast<std::size_t>(k)] =
-            area_point(facet, sequence(sum.count + k, 0), sequence(sum.count + k, 1));
+            front.point(sequence(sum.count + k, 0), sequence(sum.count + k, 1));
       }
       const std::uint32_t blocked = blocked16(from.data(), to.data(), kPacket);
       for (int k = 0; k < kPacket; ++k) {
@@ -259,7 +290,7 @@ VisibleShare Visibility::towards(const Facet& facet, std::uint64_t seed, int ray
     for (int k = 0; k < kPacket; ++k) {
       sum.add(weight[static_cast<std::size_t>(k)], (blocked >> k & 1U) == 0);
     }
-    if (sum.count == kPacket && (blocked == 0 || blocked == 0xffffU)) break;
+    if (sum.count == kPacket && sum.agreed()) break;
   }
   return sum.share();
 }

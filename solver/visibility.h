@@ -26,7 +26,8 @@ struct VisibleShare {
 /// What can stand between patches: furniture, and the walls of a plan that is not convex.
 class Visibility {
  public:
-  Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh);
+  /// @param skip  false: every pair gets rays where there is anything to hit
+  Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip = true);
   ~Visibility();
   Visibility(const Visibility&) = delete;
   Visibility& operator=(const Visibility&) = delete;
@@ -78,6 +79,7 @@ class Visibility {
   [[nodiscard]] std::uint32_t blocked16(const Eigen::Vector3d* from, const Eigen::Vector3d* to,
                                         int count) const;
 
+  bool skip_;
   std::vector<Blocker> blockers_;
   std::vector<std::uint8_t> patch_masks_;  ///< patch x blocker
   std::unique_ptr<RayScene> scene_;
