@@ -102,7 +102,7 @@ void run_room(BatchRoom& room, const RankOptions& options, const Session& sessio
     }
     const RunResult result =
         rank ? run_rank(room.room.string(), options, room.folder, session)
-             : run_solve(room.room.string(), options.room, room.folder, session);
+             : run_solve(room.room.string(), {.room = options.room}, room.folder, session);
     room.record = result.record;
     room.status = result.record["status"].get<std::string>();
     return result.exit;

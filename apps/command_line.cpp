@@ -75,6 +75,19 @@ void add_options(CLI::App& command, RoomOptions& options) {
       "compute also what the plan finds that the scene does not need; slower, same result");
 }
 
+void add_mesh_options(CLI::App& command, SolveOptions& options) {
+  command
+      .add_option(
+          "--tolerance", options.tolerance,
+          "choose mesh, rays and solver so that receivers and viewed points are right within "
+          "this, relative")
+      ->check(CLI::Range(1e-6, 0.5))
+      ->excludes("--patch-m")
+      ->excludes("--relative-error");
+  command.add_flag("--richardson", options.richardson,
+                   "extrapolate receivers and viewed points to patches of no size");
+}
+
 /// What every look at the paints of an atlas in a room takes.
 void add_atlas_options(CLI::App& command, RankOptions& options) {
   add_options(command, options.room);
@@ -130,12 +143,16 @@ void add_colour_option(CLI::App& command, SolveCommand& solve) {
       "spectral (default), or three numbers: rgb[:SPACE], bilinear[:SET[:alpha=r,g,b]], "
       "display[:MODE]");
   command.parse_complete_callback([&solve] {
-    const solver::Method method = solve.options.radiosity.method;
+    const solver::Method method = solve.options.room.radiosity.method;
     if (solve.colour &&
         (method == solver::Method::conjugate_gradients || method == solver::Method::progressive ||
          method == solver::Method::direct)) {
       throw CLI::ValidationError("--method",
                                  "three numbers want auto, jacobi, gauss-seidel or bicgstab");
+    }
+    if (solve.colour && (solve.options.tolerance > 0 || solve.options.richardson)) {
+      throw CLI::ValidationError("--colour",
+                                 "--tolerance and --richardson are for spectra: leave one out");
     }
   });
 }
@@ -202,7 +219,8 @@ void add_room_commands(CLI::App& program, CommandLine& line) {
   const auto solved = solve.runs(solve_room, line);
   solve.app().add_option("ROOM", solved->room, "room file")->required();
   add_out(solve.app(), solved->out);
-  add_options(solve.app(), solved->options);
+  add_options(solve.app(), solved->options.room);
+  add_mesh_options(solve.app(), solved->options);
   add_colour_option(solve.app(), *solved);
 
   Subcommand shift(program, "shift",

@@ -27,7 +27,7 @@ struct RoomCommand {
 
 struct SolveCommand {
   std::string room, out;
-  RoomOptions options;
+  SolveOptions options;
   std::optional<solver::ColourModel> colour;  ///< none: spectra
 };
 

@@ -42,6 +42,13 @@ Json to_json(const RoomOptions& options) {
           {"skip", options.radiosity.skip}};
 }
 
+Json to_json(const SolveOptions& options) {
+  Json json = to_json(options.room);
+  json["tolerance"] = options.tolerance > 0 ? Json(options.tolerance) : Json();
+  json["richardson"] = options.richardson;
+  return json;
+}
+
 Json to_json(const RankOptions& options) {
   Json json = to_json(options.room);
   json["atlas"] = options.atlas.empty() ? Json() : Json(options.atlas);

@@ -17,6 +17,13 @@ struct RoomOptions {
   solver::RadiosityOptions radiosity;
 };
 
+/// How the light in a room is solved.
+struct SolveOptions {
+  RoomOptions room;
+  double tolerance = 0;     ///< of every receiver and viewed point, relative; 0: mesh as given
+  bool richardson = false;  ///< extrapolate points to patches of no size
+};
+
 /// How the paints of an atlas are ranked in a room.
 struct RankOptions {
   RoomOptions room;
@@ -42,6 +49,7 @@ struct MixOptions {
 [[nodiscard]] const std::map<std::string, paints::Distance>& distance_names();
 
 [[nodiscard]] Json to_json(const RoomOptions& options);
+[[nodiscard]] Json to_json(const SolveOptions& options);
 [[nodiscard]] Json to_json(const RankOptions& options);
 [[nodiscard]] Json to_json(const MixOptions& options);
 

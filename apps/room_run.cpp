@@ -33,15 +33,20 @@ RoomRun open_room(const std::string& path, const std::string& subcommand, const 
   return run;
 }
 
-void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::path& out,
-             std::vector<solver::ViewedPoint> views) {
+solver::TransportOptions transport_options(const RoomRun& run, const RoomOptions& options,
+                                           const std::filesystem::path& out,
+                                           std::vector<solver::ViewedPoint> views) {
   require_writable(out);
   for (std::size_t g = views.size(); g < std::max<std::size_t>(1, run.room.paint.size()); ++g) {
     views.push_back(viewed_point(run, g));  // if nothing can be looked at, say so before long work
   }
-  run.transport = solver::prepare_transport(
-      run.room,
-      {.patch_m = options.patch_m, .views = std::move(views), .skip = options.radiosity.skip});
+  return {.patch_m = options.patch_m, .views = std::move(views), .skip = options.radiosity.skip};
+}
+
+void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::path& out,
+             std::vector<solver::ViewedPoint> views) {
+  run.transport =
+      solver::prepare_transport(run.room, transport_options(run, options, out, std::move(views)));
   run.clock.stop("transport");
   run.record["transport"] = describe(run.transport);
 }

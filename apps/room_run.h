@@ -41,6 +41,14 @@ struct RoomRun {
 [[nodiscard]] RoomRun open_room(const std::string& path, const std::string& subcommand,
                                 const Json& options, const Session& session);
 
+/// What a room's transport takes, once the room is known to be fit for the job.
+/// @throws spectra::FileError  if nothing can be written to `out`
+/// @throws spectra::InputError
+/// @param views  the points to look at; empty: that of each painted group
+[[nodiscard]] solver::TransportOptions transport_options(
+    const RoomRun& run, const RoomOptions& options, const std::filesystem::path& out,
+    std::vector<solver::ViewedPoint> views = {});
+
 /// Builds mesh, exchange areas and gather rows, once the room is known to be fit for the job.
 /// @throws spectra::FileError  if nothing can be written to `out`
 /// @throws spectra::InputError, solver::TooLarge
@@ -91,7 +99,7 @@ struct RunResult {
 /// Prints what was asked for on stdout. @return result.exit
 Exit print_result(const RunResult& result, const Session& session);
 
-[[nodiscard]] RunResult run_solve(const std::string& path, const RoomOptions& options,
+[[nodiscard]] RunResult run_solve(const std::string& path, const SolveOptions& options,
                                   const std::filesystem::path& out, const Session& session);
 [[nodiscard]] RunResult run_rank(const std::string& path, const RankOptions& options,
                                  const std::filesystem::path& out, const Session& session);

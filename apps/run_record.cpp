@@ -17,6 +17,8 @@ Json to_json(const Eigen::ArrayXd& values) {
   return std::vector<double>(values.data(), values.data() + values.size());
 }
 
+Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
 Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const spectra::RelativeXyz& xyz) { return {xyz.x, xyz.y, xyz.z}; }
@@ -119,7 +121,8 @@ Json describe(const solver::RoomSolution& solution, const scenes::Room& room,
   for (std::size_t i = 0; i < solution.receivers.size(); ++i) {
     receivers.push_back({{"name", room.receivers[i].name},
                          {"solver_error_bound", solution.receivers[i].solver_error_bound},
-                         {"visibility_error", solution.receivers[i].visibility_error}});
+                         {"visibility_error", solution.receivers[i].visibility_error},
+                         {"mesh_error", to_json(solution.receivers[i].mesh_error)}});
   }
   return {{"converged", solution.radiosity.converged},
           {"method", solver::to_string(solution.radiosity.method)},

@@ -6,18 +6,27 @@
 #include "apps/room_reports.h"
 #include "apps/room_run.h"
 #include "apps/terminal.h"
+#include "solver/mesh_study.h"
 
 namespace apps {
 namespace {
 
+/// Of mesh, sampled visibility and solver, in the strongest band.
+std::string error_text(const solver::ReceiverLight& light) {
+  if (!light.mesh_error) return "";
+  return fmt::format("{:.3f} %",
+                     100 * (*light.mesh_error + light.visibility_error + light.solver_error_bound));
+}
+
 std::string receiver_table(const scenes::Room& room, const SolutionColumns& columns,
                            const solver::RoomSolution& solution) {
-  std::vector<std::vector<std::string>> rows{{"receiver", "illuminance"}};
+  std::vector<std::vector<std::string>> rows{{"receiver", "illuminance", "error"}};
   for (std::size_t i = 0; i < room.receivers.size(); ++i) {
+    const solver::ReceiverLight& light = solution.receivers[i];
     rows.push_back({room.receivers[i].name,
-                    fmt::format("{:.1f} lx", illuminance_lx(columns, solution.receivers[i]))});
+                    fmt::format("{:.1f} lx", illuminance_lx(columns, light)), error_text(light)});
   }
-  return table("<>", rows);
+  return table("<>>", rows);
 }
 
 Json receiver_list(const scenes::Room& room, const SolutionColumns& columns,
@@ -32,10 +41,10 @@ Json receiver_list(const scenes::Room& room, const SolutionColumns& columns,
 
 /// Writes the outputs of a solved room.
 RunResult report(RoomRun& run, const SolutionColumns& columns, const solver::RoomSolution& solution,
-                 const std::filesystem::path& out) {
+                 bool converged, const std::filesystem::path& out) {
   const auto& radiosity = solution.radiosity;
   RunResult result =
-      finish(run, radiosity.converged,
+      finish(run, converged,
              {{.path = out / "receivers.csv", .text = receivers_csv(run.room, columns, solution)},
               {.path = out / "patches.csv",
                .text = patches_csv(run.room, columns, run.transport.mesh, radiosity)}},
@@ -71,29 +80,79 @@ void warn(const solver::ColourSolution& solution) {
 
 RunResult run_solve_colour(const SolveCommand& command, const solver::ColourModel& model,
                            const Session& session) {
-  Json options = to_json(command.options);
-  options["colour"] = model.name;
-  RoomRun run = open_room(command.room, "solve", options, session);
-  prepare(run, command.options, command.out);
+  const RoomOptions& options = command.options.room;
+  Json described = to_json(options);
+  described["colour"] = model.name;
+  RoomRun run = open_room(command.room, "solve", described, session);
+  prepare(run, options, command.out);
   const solver::ColourSolution solution =
-      solver::solve_room_colour(run.room, run.transport, model, command.options.radiosity);
+      solver::solve_room_colour(run.room, run.transport, model, options.radiosity);
   run.clock.stop("solve");
   warn(solution);
   const SolutionColumns columns = columns_of(solution);
   run.record["colour"] = describe(model, solution, run.room);
   run.record["solution"] = describe(solution.light, run.room, columns);
-  return report(run, columns, solution.light, command.out);
+  return report(run, columns, solution.light, solution.light.radiosity.converged, command.out);
+}
+
+Json tolerance_record(const solver::ToleranceSolution& chosen, double tolerance) {
+  Json steps = Json::array();
+  for (const auto& [patch_m, patches, error] : chosen.steps) {
+    steps.push_back({{"patch_m", patch_m},
+                     {"patches", patches},
+                     {"mesh_error", error.mesh},
+                     {"visibility_error", error.visibility},
+                     {"solver_error_bound", error.solver}});
+  }
+  return {{"asked", tolerance},
+          {"reached", chosen.reached},
+          {"relative_error", chosen.relative_error},
+          {"visibility_error", chosen.visibility_error},
+          {"meshes", steps}};
+}
+
+/// The room on the mesh that the tolerance asks for.
+/// @return whether it was reached
+bool solve_to_tolerance(RoomRun& run, const SolveOptions& options, const std::filesystem::path& out,
+                        solver::RoomSolution& solution) {
+  solver::ToleranceSolution chosen =
+      solver::solve_to_tolerance(run.room, options.tolerance,
+                                 transport_options(run, options.room, out), options.room.radiosity);
+  run.transport = std::move(chosen.transport);
+  run.clock.stop("tolerance");
+  run.record["transport"] = describe(run.transport);
+  run.record["tolerance"] = tolerance_record(chosen, options.tolerance);
+  const auto& [patch_m, patches, error] = chosen.steps.back();
+  fmt::print(stderr, "{} {:g}: patches of {:.3g} m, {} of them, error {:.2g}\n",
+             chosen.reached ? "tolerance" : "not reached: tolerance", options.tolerance, patch_m,
+             patches, error.sum());
+  solution = std::move(chosen.solution);
+  return chosen.reached;
+}
+
+/// The room on the mesh as given, and what that leaves.
+bool solve_on_mesh(RoomRun& run, const SolveOptions& options, const std::filesystem::path& out,
+                   solver::RoomSolution& solution) {
+  prepare(run, options.room, out);
+  const solver::RadiosityOptions& radiosity = options.room.radiosity;
+  solution = solver::solve_room(run.room, run.transport, radiosity);
+  run.clock.stop("solve");
+  if (!solver::study_mesh(run.room, transport_options(run, options.room, out), radiosity,
+                          options.richardson, solution)) {
+    fmt::print(stderr, "note: no error of the mesh, longer patches cut this room no other way\n");
+  }
+  run.clock.stop("mesh error");
+  return solution.radiosity.converged;
 }
 
 }  // namespace
 
-RunResult run_solve(const std::string& path, const RoomOptions& options,
+RunResult run_solve(const std::string& path, const SolveOptions& options,
                     const std::filesystem::path& out, const Session& session) {
   RoomRun run = open_room(path, "solve", to_json(options), session);
-  prepare(run, options, out);
-  const solver::RoomSolution solution =
-      solver::solve_room(run.room, run.transport, options.radiosity);
-  run.clock.stop("solve");
+  solver::RoomSolution solution;
+  const bool converged = options.tolerance > 0 ? solve_to_tolerance(run, options, out, solution)
+                                               : solve_on_mesh(run, options, out, solution);
   run.record["solution"] = describe(solution, run.room);
   if (run.room.view || !run.room.paint.empty()) {
     run.record["viewing"] = Json::array();
@@ -103,7 +162,7 @@ RunResult run_solve(const std::string& path, const RoomOptions& options,
     }
   }
 
-  return report(run, columns_of(run.room.grid), solution, out);
+  return report(run, columns_of(run.room.grid), solution, converged, out);
 }
 
 Exit solve_room(const SolveCommand& command, const Session& session) {

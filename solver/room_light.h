@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "appearance/spectra/viewed_light.h"
@@ -15,7 +16,8 @@ struct EnergyBalance {         ///< W nm^-1 per band
 };
 
 struct ReceiverLight {
-  Eigen::ArrayXd irradiance;  ///< W m^-2 nm^-1
+  Eigen::ArrayXd irradiance;         ///< W m^-2 nm^-1
+  std::optional<double> mesh_error;  ///< estimated, relative to the strongest band; mesh_study.h
   double solver_error_bound =
       0;  ///< of what the solver left, relative to the strongest band; proven
   double visibility_error =

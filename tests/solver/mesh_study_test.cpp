@@ -1,0 +1,116 @@
+#include "solver/mesh_study.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "scenes/room_json.h"
+
+namespace solver {
+namespace {
+
+using Eigen::ArrayXd;
+
+scenes::Room box() { return scenes::read_room(SOURCE_DIR "/scenes/rooms/box.json"); }
+
+/// Irradiance at the receivers of the box, from tests/support/box_reference.cpp.
+std::map<std::string, ArrayXd> box_reference(const scenes::Room& room) {
+  const ArrayXd wall = room.surfaces[2].reflectance.values;
+  const ArrayXd exitance = room.surfaces.back().exitance.values;
+  std::map<std::string, ArrayXd> exact;
+  std::ifstream file(TEST_DATA "/box_reference.csv");
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    std::istringstream cells(line);
+    std::string receiver, kind, m, coefficient;
+    std::getline(cells, receiver, ',');
+    std::getline(cells, kind, ',');
+    std::getline(cells, m, ',');
+    std::getline(cells, coefficient, ',');
+    if (kind != "walls") continue;
+    ArrayXd& sum = exact.try_emplace(receiver, ArrayXd::Zero(wall.size())).first->second;
+    sum += std::stod(coefficient) * wall.pow(std::stod(m)) * exitance;
+  }
+  return exact;
+}
+
+/// Of the strongest band, as bars are given.
+double true_error(const ReceiverLight& light, const ArrayXd& exact) {
+  return (light.irradiance - exact).abs().maxCoeff() / light.irradiance.maxCoeff();
+}
+
+struct Bar {
+  double told, left, left_by_richardson;
+};
+
+/// Of each receiver of the box.
+std::vector<Bar> bars(double patch_m) {
+  const scenes::Room room = box();
+  const auto exact = box_reference(room);
+  const RoomSolution solution = solve_room(room, prepare_transport(room, {.patch_m = patch_m}));
+  RoomSolution told = solution, moved = solution;
+  EXPECT_TRUE(study_mesh(room, {.patch_m = patch_m}, {}, false, told));
+  EXPECT_TRUE(study_mesh(room, {.patch_m = patch_m}, {}, true, moved));
+  std::vector<Bar> all;
+  for (std::size_t k = 0; k < room.receivers.size(); ++k) {
+    const ArrayXd& e = exact.at(room.receivers[k].name);
+    all.push_back({*told.receivers[k].mesh_error, true_error(told.receivers[k], e),
+                   true_error(moved.receivers[k], e)});
+  }
+  return all;
+}
+
+// 5 cm from an edge too, once patches are not ten times as long.
+TEST(MeshStudy, BarsCoverWhatTheMeshLeaves) {
+  for (const double patch_m : {0.5, 0.35, 0.25}) {
+    for (const Bar& bar : bars(patch_m)) {
+      EXPECT_GT(bar.told, bar.left) << patch_m;
+      EXPECT_LT(bar.told, 6 * bar.left) << patch_m;
+    }
+  }
+}
+
+TEST(MeshStudy, RichardsonTakesMoreThanHalfOfTheError) {
+  for (const Bar& bar : bars(0.25)) EXPECT_LT(bar.left_by_richardson, 0.5 * bar.left);
+}
+
+TEST(MeshStudy, TellsNothingOfAMeshThatCannotBeCoarser) {
+  const scenes::Room room = box();
+  RoomSolution solution = solve_room(room, prepare_transport(room, {.patch_m = 20}));
+  EXPECT_FALSE(study_mesh(room, {.patch_m = 20}, {}, false, solution));
+  EXPECT_FALSE(solution.receivers[0].mesh_error.has_value());
+}
+
+TEST(Tolerance, IsMetAndSaysHow) {
+  const scenes::Room room = box();
+  const auto exact = box_reference(room);
+  const ToleranceSolution chosen = solve_to_tolerance(room, 0.01, {}, {});
+  EXPECT_TRUE(chosen.reached);
+  EXPECT_GT(chosen.steps.size(), 1);
+  EXPECT_LE(chosen.steps.back().error.sum(), 0.01);
+  EXPECT_EQ(chosen.steps.back().patches, chosen.transport.mesh.size());
+  for (std::size_t k = 0; k < room.receivers.size(); ++k) {
+    EXPECT_LT(true_error(chosen.solution.receivers[k], exact.at(room.receivers[k].name)), 0.01);
+  }
+}
+
+TEST(Tolerance, ThatDoesNotFitIsNotReached) {
+  const ToleranceSolution chosen =
+      solve_to_tolerance(box(), 1e-5, {.memory_limit_bytes = 30'000'000}, {});
+  EXPECT_FALSE(chosen.reached);
+  EXPECT_EQ(chosen.transport.mesh.size(), chosen.steps.back().patches);
+  EXPECT_EQ(chosen.solution.radiosity.irradiance.rows(), chosen.transport.mesh.size());
+}
+
+TEST(Tolerance, OutsideZeroToOneIsRefused) {
+  const scenes::Room room = box();
+  EXPECT_THROW((void)solve_to_tolerance(room, 0, {}, {}), std::invalid_argument);
+  EXPECT_THROW((void)solve_to_tolerance(room, 1, {}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace solver
