@@ -7,22 +7,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <memory>
 
 #include "solver/direct_light.h"
+#include "solver/mesh_choice.h"
 
 namespace solver {
 namespace {
 
 constexpr int kMostPlannedRows = 2000;  ///< rows whose pairs the plan counts
-constexpr int kFloatCopies = 8,
-              kLightingCopies = 8,  ///< of the same, in double, while light is reduced
-    kDoubleCopies = 14;             ///< of patch x band arrays alive at the peak of a solve
-
 /// Seconds of one core, measured on a 2.5 GHz server core: a guide for people, nothing depends on
 /// it.
-constexpr double kPairSeconds = 1.5e-7, kOccludablePairSeconds = 1.2e-6, kSweepSeconds = 4e-10;
+constexpr double kPairSeconds = 1.5e-7, kOccludablePairSeconds = 1.2e-6, kSweepSeconds = 4e-10,
+                 kFinePatchSeconds = 4e-4;
 constexpr int kUsualSweeps = 40;
 
 class Stopwatch {
@@ -66,36 +63,6 @@ int lit_bands(const scenes::Room& room) {
   return static_cast<int>((light > 0).count());
 }
 
-/// A lower estimate from the surfaces alone, before a mesh of any size is made.
-double estimated_patches(const scenes::Room& room, double patch_m) {
-  double area = 0;
-  for (std::size_t i = 0; i < room.plan_m.size(); ++i) {
-    const Eigen::Vector2d &p = room.plan_m[i], &q = room.plan_m[(i + 1) % room.plan_m.size()];
-    area += (q - p).norm() * room.height_m;  // wall
-    area += p.x() * q.y() - p.y() * q.x();   // floor and ceiling, each half of it
-  }
-  return area / (patch_m * patch_m);
-}
-
-double bytes_for(double patches, const scenes::Room& room) {
-  const int bands = room.grid.count;
-  const double lightings = 1 + static_cast<double>(room.scenarios.size());
-  const double padded = std::ceil(bands / 16.0) * 16;
-  return patches * patches / 2 * sizeof(float) +
-         patches * padded * (kFloatCopies * sizeof(float) + kDoubleCopies * sizeof(double)) +
-         patches * bands * lightings * kLightingCopies * sizeof(double) + 2000 * patches;
-}
-
-void require_memory(double bytes, std::int64_t limit, double patch_m) {
-  if (bytes <= static_cast<double>(limit)) return;
-  // Nearly all of it grows as patch_m^-4.
-  const double fits_m = patch_m * std::pow(bytes / static_cast<double>(limit), 0.25) * 1.02;
-  throw TooLarge(fmt::format(
-      "the solve at patch_m {:g} needs {:.3g} GB of memory and {:.3g} GB are free; "
-      "patch_m {:.2g} would fit",
-      patch_m, bytes * 1e-9, static_cast<double>(limit) * 1e-9, std::ceil(fits_m * 100) / 100));
-}
-
 /// The room under each of its lightings: all lights as they are, then the scenarios.
 std::vector<scenes::Room> relit_rooms(const scenes::Room& room) {
   std::vector<scenes::Room> rooms{room};
@@ -137,15 +104,19 @@ void count_pairs(const scenes::PatchMesh& mesh, const Visibility& visibility, Pl
   plan.occludable_pairs = occludable * scale / 2;
 }
 
-Plan plan_with(const scenes::Room& room, const scenes::PatchMesh& mesh,
-               const Visibility& visibility) {
-  Plan plan{.patches = mesh.size(), .bands = lit_bands(room)};
+Plan plan_with(const scenes::Room& room, const MeshChoice& choice, const Visibility& visibility) {
+  const scenes::PatchMesh& mesh = choice.solved;
+  Plan plan{.patches = mesh.size(),
+            .patch_m = choice.patch_m,
+            .fine = choice.fine,
+            .bands = lit_bands(room),
+            .memory_bytes = choice.memory_bytes};
   count_pairs(mesh, visibility, plan);
-  plan.memory_bytes = static_cast<std::int64_t>(bytes_for(mesh.size(), room));
   const double n = mesh.size();
   plan.expected_seconds = kPairSeconds * static_cast<double>(plan.pairs) +
                           kOccludablePairSeconds * static_cast<double>(plan.occludable_pairs) +
-                          kUsualSweeps * kSweepSeconds * n * n * std::ceil(plan.bands / 16.0);
+                          kUsualSweeps * kSweepSeconds * n * n * std::ceil(plan.bands / 16.0) +
+                          kFinePatchSeconds * static_cast<double>(plan.fine.patches);
   const std::int64_t all_pairs = std::int64_t{mesh.size()} * (mesh.size() - 1) / 2;
   plan.left_out.push_back({fmt::format("{} of {} pairs", all_pairs - plan.pairs, all_pairs),
                            "the patches lie in one plane or turn their backs to each other"});
@@ -162,6 +133,12 @@ Plan plan_with(const scenes::Room& room, const scenes::PatchMesh& mesh,
         {fmt::format("{} of {} bands", room.grid.count - plan.bands, room.grid.count),
          "no lamp shines in them"});
   }
+  if (plan.fine.patch_m > 0) {
+    plan.left_out.push_back(
+        {fmt::format("exchange areas of about {} patches", plan.fine.patches),
+         fmt::format("{}; {} coarse patches are solved, and rays gather their light", choice.reason,
+                     plan.patches)});
+  }
   return plan;
 }
 
@@ -174,33 +151,19 @@ void set_threads(int threads) {
                                                   static_cast<std::size_t>(threads));
 }
 
-std::int64_t available_memory_bytes() {
-  std::ifstream file("/proc/meminfo");
-  std::string word;
-  while (file >> word) {
-    std::int64_t kilobytes = 0;
-    if (word == "MemAvailable:" && file >> kilobytes) return kilobytes * 1024;
-  }
-  return std::int64_t{4} << 30;  // a system that does not say is taken to have 4 GB
-}
-
-Plan make_plan(const scenes::Room& room, const scenes::PatchMesh& mesh) {
-  return plan_with(room, mesh, Visibility(room, mesh));
+Plan make_plan(const scenes::Room& room, const TransportOptions& options) {
+  const MeshChoice choice = choose_mesh(room, options);
+  return plan_with(room, choice, Visibility(room, choice.solved));
 }
 
 RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions& options) {
-  const double patch_m = options.patch_m > 0 ? options.patch_m : room.patch_m;
-  const std::int64_t limit =
-      options.memory_limit_bytes > 0 ? options.memory_limit_bytes : available_memory_bytes();
-  require_memory(bytes_for(estimated_patches(room, patch_m), room), limit, patch_m);
-
   Stopwatch watch;
   RoomTransport t;
-  t.mesh = scenes::mesh_room(room, patch_m);
+  MeshChoice choice = choose_mesh(room, options);
   t.seconds["mesh"] = watch.lap();
-  const Visibility visibility(room, t.mesh);
-  t.plan = plan_with(room, t.mesh, visibility);
-  require_memory(static_cast<double>(t.plan.memory_bytes), limit, patch_m);
+  const Visibility visibility(room, choice.solved);
+  t.plan = plan_with(room, choice, visibility);
+  t.mesh = std::move(choice.solved);
   t.seconds["plan"] = watch.lap();
 
   const std::vector<bool> lamp = lamp_patches(room, t.mesh);

@@ -26,7 +26,9 @@ struct VisibleShare {
 /// What can stand between patches: furniture, and the walls of a plan that is not convex.
 class Visibility {
  public:
+  /// @param mesh  its patches can be asked about by number
   Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh);
+  Visibility();  ///< nothing blocks anything
   ~Visibility();
   Visibility(const Visibility&) = delete;
   Visibility& operator=(const Visibility&) = delete;
@@ -40,6 +42,8 @@ class Visibility {
   [[nodiscard]] bool may_block(const SeparationMask& set, int patch) const;
   [[nodiscard]] SeparationMask separation(const Eigen::Vector3d& point,
                                           const Eigen::Vector3d& normal) const;
+  [[nodiscard]] SeparationMask separation(const Facet& facet) const;
+  [[nodiscard]] static bool may_block(const SeparationMask& a, const SeparationMask& b);
 
   /// Rays between two patches, low-discrepancy, call it once per pair. The first 16 decide
   /// if they agree; else as many as `most_rays`.
