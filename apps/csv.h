@@ -23,7 +23,8 @@ class CsvText {
   CsvText& cell(std::optional<double> value);  ///< an empty cell where there is no value
   void end_row();
 
-  [[nodiscard]] std::string take() { return std::move(text_); }
+  /// What there is so far; the next row starts from nothing.
+  [[nodiscard]] std::string take() { return std::exchange(text_, {}); }
 
  private:
   void separate();

@@ -94,21 +94,35 @@ fs::path target_of(const fs::path& path) {
   return fs::canonical(path);
 }
 
-void write_and_flush(const fs::path& path, std::string_view text) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
-  if (descriptor < 0) fail(path);
-  bool written = true;
-  while (written && !text.empty()) {
-    const ssize_t count = ::write(descriptor, text.data(), text.size());
-    written = count > 0 || (count < 0 && errno == EINTR);
-    if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
+/// A file that is there, open for writing.
+class OpenFile {
+ public:
+  explicit OpenFile(const fs::path& path)
+      : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC)) {
+    if (descriptor_ < 0) fail(path_);
   }
-  written = written && ::fsync(descriptor) == 0;
-  const int problem = errno;
-  ::close(descriptor);
-  errno = problem;
-  if (!written) fail(path);
-}
+
+  ~OpenFile() { ::close(descriptor_); }
+
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  void write(std::string_view text) const {
+    while (!text.empty()) {
+      const ssize_t count = ::write(descriptor_, text.data(), text.size());
+      if (count <= 0 && errno != EINTR) fail(path_);
+      if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
+    }
+  }
+
+  void flush() const {
+    if (::fsync(descriptor_) != 0) fail(path_);
+  }
+
+ private:
+  const fs::path& path_;
+  int descriptor_;
+};
 
 /// What a file is called while it is being written, and where it goes.
 struct Staged {
@@ -154,7 +168,10 @@ void write_files(const std::vector<OutputFile>& files) {
   std::vector<Staged> staged;
   for (const OutputFile& file : files) {
     staged.push_back(stage(file.path, unfinished));
-    write_and_flush(staged.back().temporary, file.text);
+    const OpenFile out(staged.back().temporary);
+    out.write(file.text);
+    if (file.pieces) file.pieces([&](std::string_view text) { out.write(text); });
+    out.flush();
   }
   commit(staged, unfinished);
 }
@@ -163,7 +180,7 @@ void write_file(const fs::path& path, const std::function<void(const fs::path&)>
   Unfinished unfinished;
   const Staged file = stage(path, unfinished);
   write(file.temporary);
-  write_and_flush(file.temporary, "");
+  OpenFile(file.temporary).flush();
   commit({file}, unfinished);
 }
 

@@ -2,13 +2,19 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace apps {
 
+/// Takes the next piece of a file.
+using TextSink = std::function<void(std::string_view)>;
+
 struct OutputFile {
   std::filesystem::path path;
   std::string text;
+  /// In place of `text`, for what is too large to be held in memory.
+  std::function<void(const TextSink&)> pieces = {};
 };
 
 /// Early check, before long work: can files be made in `folder`, or the folder itself?

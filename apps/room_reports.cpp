@@ -50,20 +50,25 @@ std::string receivers_csv(const scenes::Room& room, const SolutionColumns& colum
   return csv.take();
 }
 
-std::string patches_csv(const scenes::Room& room, const SolutionColumns& columns,
-                        const scenes::PatchMesh& mesh, const solver::RadiositySolution& radiosity) {
+void write_patches_csv(const scenes::Room& room, const SolutionColumns& columns,
+                       const PatchLight& light, const TextSink& sink) {
+  constexpr int kRowsAtOnce = 1024;
+  const scenes::PatchMesh& mesh = light.mesh;
   CsvText csv("patch,surface,x_m,y_m,z_m,area_m2" + band_names(columns, 'H') +
-              band_names(columns, 'B'));
+              band_names(columns, 'B') +
+              (light.standard_error != nullptr ? ",standard_error" : ""));
   for (int patch = 0; patch < mesh.size(); ++patch) {
     const auto i = static_cast<std::size_t>(patch);
     csv.cell(patch).cell(room.surfaces[static_cast<std::size_t>(mesh.surface[i])].name);
     point_cells(csv, mesh.centre[i]);
     csv.cell(mesh.area_m2[i]);
-    for (const double band : radiosity.irradiance.row(patch)) csv.cell(band);
-    for (const double band : radiosity.radiosity.row(patch)) csv.cell(band);
+    for (const double band : light.irradiance.row(patch)) csv.cell(band);
+    for (const double band : light.radiosity.row(patch)) csv.cell(band);
+    if (light.standard_error != nullptr) csv.cell((*light.standard_error)[patch]);
     csv.end_row();
+    if (patch % kRowsAtOnce == kRowsAtOnce - 1) sink(csv.take());
   }
-  return csv.take();
+  sink(csv.take());
 }
 
 }  // namespace apps

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "apps/output_files.h"
 #include "apps/solution_columns.h"
 #include "solver/room_light.h"
 
@@ -11,10 +12,16 @@ namespace apps {
 [[nodiscard]] std::string receivers_csv(const scenes::Room& room, const SolutionColumns& columns,
                                         const solver::RoomSolution& solution);
 
-/// patches.csv: irradiance H and radiosity B of each patch, in the same units.
-[[nodiscard]] std::string patches_csv(const scenes::Room& room, const SolutionColumns& columns,
-                                      const scenes::PatchMesh& mesh,
-                                      const solver::RadiositySolution& radiosity);
+/// The light of patches that were solved, or gathered from coarser ones.
+struct PatchLight {
+  const scenes::PatchMesh& mesh;
+  const solver::Bands &irradiance, &radiosity;
+  const Eigen::ArrayXd* standard_error = nullptr;  ///< of the irradiance, where it was sampled
+};
+
+/// patches.csv: irradiance H and radiosity B of each patch, in the same units, some rows at a time.
+void write_patches_csv(const scenes::Room& room, const SolutionColumns& columns,
+                       const PatchLight& light, const TextSink& sink);
 
 /// [lx]
 [[nodiscard]] double illuminance_lx(const SolutionColumns& columns,

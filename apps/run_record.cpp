@@ -33,6 +33,12 @@ void visit_file_names(const nlohmann::json& value, const Found& found) {
   }
 }
 
+Json describe(const solver::EnergyBalance& energy, const SolutionColumns& columns) {
+  return {{"emitted_" + columns.flux_unit, to_json(energy.emitted)},
+          {"absorbed_" + columns.flux_unit, to_json(energy.absorbed)},
+          {"relative_defect", energy.relative_defect}};
+}
+
 }  // namespace
 
 Json hash_inputs(const fs::path& path, const std::string& atlas) {
@@ -83,14 +89,28 @@ Json describe(const solver::Plan& plan) {
   for (const auto& [what, why, saved_seconds] : plan.left_out) {
     left_out.push_back({{"what", what}, {"why", why}, {"saved_seconds", saved_seconds}});
   }
-  return {{"patches", plan.patches},
-          {"pairs", plan.pairs},
-          {"occludable_pairs", plan.occludable_pairs},
-          {"bands", plan.bands},
-          {"solved_bands", plan.solved_bands},
-          {"memory_bytes", plan.memory_bytes},
-          {"expected_seconds", plan.expected_seconds},
-          {"left_out", left_out}};
+  Json json = {{"patches", plan.patches},
+               {"patch_m", plan.patch_m},
+               {"pairs", plan.pairs},
+               {"occludable_pairs", plan.occludable_pairs},
+               {"bands", plan.bands},
+               {"solved_bands", plan.solved_bands},
+               {"memory_bytes", plan.memory_bytes},
+               {"expected_seconds", plan.expected_seconds},
+               {"left_out", left_out}};
+  if (plan.fine.patch_m > 0) {
+    json["fine"] = {{"patches", plan.fine.patches}, {"patch_m", plan.fine.patch_m}};
+  }
+  return json;
+}
+
+Json describe(const solver::FineLight& fine, const SolutionColumns& columns) {
+  return {{"patches", fine.mesh.size()},
+          {"rays_per_patch", fine.rays_per_patch},
+          {"lost_rays", fine.lost_rays},
+          {"standard_error",
+           {{"rms", fine.rms_standard_error}, {"largest", fine.largest_standard_error}}},
+          {"energy_balance", describe(fine.energy, columns)}};
 }
 
 Json describe(const solver::RoomTransport& transport) {
@@ -129,10 +149,7 @@ Json describe(const solver::RoomSolution& solution, const scenes::Room& room,
           {"error_bounds", solution.radiosity.proven ? "proven" : "estimated"},
           {"bands", bands},
           {"receivers", receivers},
-          {"energy_balance",
-           {{"emitted_" + columns.flux_unit, to_json(solution.energy.emitted)},
-            {"absorbed_" + columns.flux_unit, to_json(solution.energy.absorbed)},
-            {"relative_defect", solution.energy.relative_defect}}}};
+          {"energy_balance", describe(solution.energy, columns)}};
 }
 
 Json describe(const solver::ColourModel& model, const solver::ColourSolution& solution,

@@ -10,6 +10,7 @@
 #include "apps/output_files.h"
 #include "apps/room_options.h"
 #include "apps/solution_columns.h"
+#include "solver/fine_light.h"
 #include "solver/room_light.h"
 
 namespace apps {
@@ -33,6 +34,8 @@ namespace apps {
 [[nodiscard]] Json describe(const solver::RoomSolution& solution, const scenes::Room& room);
 [[nodiscard]] Json describe(const solver::RoomSolution& solution, const scenes::Room& room,
                             const SolutionColumns& columns);
+/// Noise and energy of the patches that were too many to be solved.
+[[nodiscard]] Json describe(const solver::FineLight& fine, const SolutionColumns& columns);
 /// What the three numbers were, what is approximate, and what of them is negative.
 [[nodiscard]] Json describe(const solver::ColourModel& model,
                             const solver::ColourSolution& solution, const scenes::Room& room);

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "apps/commands.h"
 #include "apps/room_reports.h"
 #include "apps/room_run.h"
 #include "apps/terminal.h"
+#include "solver/ambient_term.h"
 #include "solver/mesh_study.h"
 
 namespace apps {
@@ -39,16 +42,55 @@ Json receiver_list(const scenes::Room& room, const SolutionColumns& columns,
   return receivers;
 }
 
+/// Where too many patches were asked for to be solved: what they get of the light of those that
+/// were. `gather` computes it.
+template <typename Gather>
+std::optional<solver::FineLight> gathered(RoomRun& run, const SolutionColumns& columns,
+                                          const Gather& gather) {
+  if (!(run.transport.plan.fine.patch_m > 0)) return {};
+  solver::FineLight fine = gather();
+  run.clock.stop("fine patches");
+  run.record["fine_patches"] = describe(fine, columns);
+  fmt::print(stderr,
+             "note: {} coarse patches were solved; their light was gathered to {} patches with a "
+             "standard error of {:.2g} (RMS)\n",
+             run.transport.plan.patches, fine.mesh.size(), fine.rms_standard_error);
+  return fine;
+}
+
+/// How far the cheap answer is from the solution, at the receivers; relative to their strongest
+/// bands.
+Json describe_ambient_term(const scenes::Room& room, const solver::RoomSolution& solution) {
+  const solver::Bands cheap = solver::extended_ambient_term(room, room.receivers);
+  double largest = 0, squares = 0;
+  for (std::size_t i = 0; i < room.receivers.size(); ++i) {
+    const Eigen::ArrayXd& h = solution.receivers[i].irradiance;
+    if (!(h.maxCoeff() > 0)) continue;
+    const Eigen::ArrayXd error =
+        (cheap.row(static_cast<Eigen::Index>(i)).transpose() - h) / h.maxCoeff();
+    largest = std::max(largest, error.abs().maxCoeff());
+    squares += error.square().mean();
+  }
+  const auto count = static_cast<double>(room.receivers.size());
+  return {{"max_relative_error", largest}, {"rms_relative_error", std::sqrt(squares / count)}};
+}
+
 /// Writes the outputs of a solved room.
 RunResult report(RoomRun& run, const SolutionColumns& columns, const solver::RoomSolution& solution,
-                 bool converged, const std::filesystem::path& out) {
+                 bool converged, const std::optional<solver::FineLight>& fine,
+                 const std::filesystem::path& out) {
   const auto& radiosity = solution.radiosity;
-  RunResult result =
-      finish(run, converged,
-             {{.path = out / "receivers.csv", .text = receivers_csv(run.room, columns, solution)},
-              {.path = out / "patches.csv",
-               .text = patches_csv(run.room, columns, run.transport.mesh, radiosity)}},
-             out);
+  const PatchLight patches =
+      fine ? PatchLight{fine->mesh, fine->irradiance, fine->radiosity, &fine->standard_error}
+           : PatchLight{run.transport.mesh, radiosity.irradiance, radiosity.radiosity};
+  RunResult result = finish(
+      run, converged,
+      {{.path = out / "receivers.csv", .text = receivers_csv(run.room, columns, solution)},
+       {.path = out / "patches.csv",
+        .text = {},
+        .pieces =
+            [&](const TextSink& sink) { write_patches_csv(run.room, columns, patches, sink); }}},
+      out);
   result.text = receiver_table(run.room, columns, solution);
   result.data = {{"status", result.record["status"]},
                  {"folder", out.string()},
@@ -92,7 +134,10 @@ RunResult run_solve_colour(const SolveCommand& command, const solver::ColourMode
   const SolutionColumns columns = columns_of(solution);
   run.record["colour"] = describe(model, solution, run.room);
   run.record["solution"] = describe(solution.light, run.room, columns);
-  return report(run, columns, solution.light, solution.light.radiosity.converged, command.out);
+  const auto fine = gathered(
+      run, columns, [&] { return solver::fine_light(run.room, run.transport, model, solution); });
+  return report(run, columns, solution.light, solution.light.radiosity.converged, fine,
+                command.out);
 }
 
 Json tolerance_record(const solver::ToleranceSolution& chosen, double tolerance) {
@@ -138,7 +183,7 @@ bool solve_on_mesh(RoomRun& run, const SolveOptions& options, const std::filesys
   solution = solver::solve_room(run.room, run.transport, radiosity);
   run.clock.stop("solve");
   if (!solver::study_mesh(run.room, transport_options(run, options.room, out), radiosity,
-                          options.richardson, solution)) {
+                          run.transport.plan.patch_m, options.richardson, solution)) {
     fmt::print(stderr, "note: no error of the mesh, longer patches cut this room no other way\n");
   }
   run.clock.stop("mesh error");
@@ -154,6 +199,9 @@ RunResult run_solve(const std::string& path, const SolveOptions& options,
   const bool converged = options.tolerance > 0 ? solve_to_tolerance(run, options, out, solution)
                                                : solve_on_mesh(run, options, out, solution);
   run.record["solution"] = describe(solution, run.room);
+  if (!run.room.receivers.empty()) {
+    run.record["extended_ambient_term"] = describe_ambient_term(run.room, solution);
+  }
   if (run.room.view || !run.room.paint.empty()) {
     run.record["viewing"] = Json::array();
     for (std::size_t v = 0; v < run.transport.viewed.size(); ++v) {
@@ -161,8 +209,10 @@ RunResult run_solve(const std::string& path, const SolveOptions& options,
           describe(view_of(run, solution, v), run.room, run.transport.viewed[v].at));
     }
   }
-
-  return report(run, columns_of(run.room.grid), solution, converged, out);
+  const SolutionColumns columns = columns_of(run.room.grid);
+  const auto fine =
+      gathered(run, columns, [&] { return solver::fine_light(run.room, run.transport, solution); });
+  return report(run, columns, solution, converged, fine, out);
 }
 
 Exit solve_room(const SolveCommand& command, const Session& session) {

@@ -1,5 +1,7 @@
 #include "solver/direct_light.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -112,22 +114,24 @@ DirectLight direct_light_on_patches(const scenes::Room& room, const scenes::Patc
   DirectLight light{.irradiance = Bands::Zero(n, room.grid.count)};
   for (const scenes::PointLight& lamp : room.point_lights) {
     ArrayXd angle = ArrayXd::Zero(n);
-    for (std::size_t i = 0; i < facets.size(); ++i) {
+    tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
       const Facet& facet = facets[i];
-      if (facet.plane().height_m(lamp.at_m) <= 0) continue;
+      if (facet.plane().height_m(lamp.at_m) <= 0) return;
       const VisibleShare open = visibility.towards(facet, i, kShadowRays, [&](const Vector3d& p) {
         const Vector3d r = lamp.at_m - p;
         return Visibility::Target{lamp.at_m, facet.normal.dot(r) / std::pow(r.norm(), 3)};
       });
       angle[static_cast<Eigen::Index>(i)] = solid_angle(lamp.at_m, facet.vertices) * open.share;
-    }
+    });
     spread(angle, 4 * pi, lamp.spectral_flux.values / (4 * pi), facets, light);
   }
   for (const Beam& beam : beams(room)) {
     ArrayXd lit = ArrayXd::Zero(n);
     double open_area_m2 = 0;  // of the opening's patches: furniture may cover a part
-    for (std::size_t i = 0; i < facets.size(); ++i) {
+    tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
       lit[static_cast<Eigen::Index>(i)] = lit_area_m2(facets[i], beam, visibility, i);
+    });
+    for (std::size_t i = 0; i < facets.size(); ++i) {
       if (mesh.surface[i] == beam.surface) open_area_m2 += facets[i].area_m2;
     }
     spread(lit, open_area_m2 * -beam.opening.normal.dot(beam.to_sun), beam.normal_irradiance,

@@ -159,32 +159,6 @@ bool touch(const Facet& a, const Facet& b) {
   });
 }
 
-/// Weighted least squares over the neighbours k of patch j: gradient of B = sum_k a_k (B_k - B_j).
-/// Directions in which there is no neighbour have no gradient.
-std::vector<std::pair<Eigen::Index, Vector3d>> gradient_weights(const scenes::PatchMesh& mesh,
-                                                                const std::vector<Facet>& facets,
-                                                                std::size_t j) {
-  constexpr double kReach = 1.6;  // in patch sizes: the eight neighbours of a square
-  std::vector<std::pair<Eigen::Index, Vector3d>> neighbours;
-  Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
-  for (std::size_t k = 0; k < facets.size(); ++k) {
-    if (k == j || mesh.surface[k] != mesh.surface[j] || mesh.plane[k] != mesh.plane[j]) continue;
-    const Vector3d r = mesh.centre[k] - mesh.centre[j];
-    const double r2 = r.squaredNorm();
-    const double reach = kReach * std::max(facets[j].size_m, facets[k].size_m);
-    if (r2 > reach * reach || !touch(facets[j], facets[k])) continue;
-    neighbours.emplace_back(static_cast<Eigen::Index>(k), r / r2);
-    normal_matrix += r * r.transpose() / r2;
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(normal_matrix);
-  const Eigen::Array3d values = eigen.eigenvalues().array();
-  const Eigen::Array3d inverse = (values > 0.1).select(values.inverse(), 0.0);
-  const Eigen::Matrix3d pseudo_inverse =
-      eigen.eigenvectors() * inverse.matrix().asDiagonal() * eigen.eigenvectors().transpose();
-  for (auto& [k, a] : neighbours) a = pseudo_inverse * a;
-  return neighbours;
-}
-
 /// Over a near patch B is not constant: adds weight_j * gradient . first moment, as weights of the
 /// neighbours.
 void add_gradients(const Vector3d& point, const Vector3d& normal, const scenes::PatchMesh& mesh,
@@ -214,6 +188,29 @@ void add_gradients(const Vector3d& point, const Vector3d& normal, const scenes::
 }
 
 }  // namespace
+
+GradientWeights gradient_weights(const scenes::PatchMesh& mesh, const std::vector<Facet>& facets,
+                                 std::size_t j) {
+  constexpr double kReach = 1.6;  // in patch sizes: the eight neighbours of a square
+  GradientWeights neighbours;
+  Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < facets.size(); ++k) {
+    if (k == j || mesh.surface[k] != mesh.surface[j] || mesh.plane[k] != mesh.plane[j]) continue;
+    const Vector3d r = mesh.centre[k] - mesh.centre[j];
+    const double r2 = r.squaredNorm();
+    const double reach = kReach * std::max(facets[j].size_m, facets[k].size_m);
+    if (r2 > reach * reach || !touch(facets[j], facets[k])) continue;
+    neighbours.emplace_back(static_cast<Eigen::Index>(k), r / r2);
+    normal_matrix += r * r.transpose() / r2;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(normal_matrix);
+  const Eigen::Array3d values = eigen.eigenvalues().array();
+  const Eigen::Array3d inverse = (values > 0.1).select(values.inverse(), 0.0);
+  const Eigen::Matrix3d pseudo_inverse =
+      eigen.eigenvectors() * inverse.matrix().asDiagonal() * eigen.eigenvectors().transpose();
+  for (auto& [k, a] : neighbours) a = pseudo_inverse * a;
+  return neighbours;
+}
 
 GatherRow gather_at_point(const Vector3d& point, const Vector3d& normal,
                           const scenes::PatchMesh& mesh, const std::vector<Facet>& facets,

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "scenes/patch_mesh.h"
@@ -30,6 +31,13 @@ struct GatherOptions {
                                         const scenes::PatchMesh& mesh,
                                         const std::vector<Facet>& facets,
                                         const Visibility& visibility, const GatherOptions& options);
+
+/// Gradient of B on patch j = sum_k a_k (B_k - B_j) over its neighbours k in the surface: weighted
+/// least squares. Directions in which there is no neighbour have no gradient.
+using GradientWeights = std::vector<std::pair<Eigen::Index, Eigen::Vector3d>>;
+
+[[nodiscard]] GradientWeights gradient_weights(const scenes::PatchMesh& mesh,
+                                               const std::vector<Facet>& facets, std::size_t j);
 
 /// What an eye takes in, as solid-angle means of radiosity [Neumann2004] 2.4.
 struct ViewRows {

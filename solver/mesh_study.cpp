@@ -15,10 +15,6 @@ constexpr double kFirstPatches = 200;  ///< of the first mesh that is tried, abo
 constexpr int kMostSteps = 12;
 constexpr double kShareOfSolver = 0.01, kShareOfVisibility = 0.3;
 
-double patch_m_of(const scenes::Room& room, const TransportOptions& options) {
-  return options.patch_m > 0 ? options.patch_m : room.patch_m;
-}
-
 /// All points of a solution.
 std::vector<ReceiverLight*> points_of(RoomSolution& solution) {
   std::vector<ReceiverLight*> points;
@@ -62,10 +58,11 @@ double next_patch_m(double patch_m, const PointErrors& error, double left) {
 }  // namespace
 
 bool study_mesh(const scenes::Room& room, const TransportOptions& transport,
-                const RadiosityOptions& radiosity, bool extrapolate, RoomSolution& solution) {
+                const RadiosityOptions& radiosity, double patch_m, bool extrapolate,
+                RoomSolution& solution) {
   const auto solved_with = [&](double factor) {
     TransportOptions longer = transport;
-    longer.patch_m = factor * patch_m_of(room, transport);
+    longer.patch_m = factor * patch_m;
     return solve_room(room, prepare_transport(room, longer), radiosity,
                       {.lighting = solution.lighting});
   };
@@ -91,12 +88,15 @@ ToleranceSolution solve_to_tolerance(const scenes::Room& room, double tolerance,
       best.transport = prepare_transport(room, transport);
     } catch (const TooLarge&) {
       if (best.steps.empty()) throw;
+    }
+    const bool too_many = best.transport.mesh.size() == 0 || best.transport.plan.fine.patch_m > 0;
+    if (too_many && !best.steps.empty()) {
       transport.patch_m = best.steps.back().patch_m;
       best.transport = prepare_transport(room, transport);
       return best;
     }
     best.solution = solve_room(room, best.transport, radiosity);
-    study_mesh(room, transport, radiosity, false, best.solution);
+    study_mesh(room, transport, radiosity, transport.patch_m, false, best.solution);
     const PointErrors error = largest_errors(best.solution);
     best.steps.push_back({transport.patch_m, best.transport.mesh.size(), error});
     best.reached = best.solution.radiosity.converged && error.sum() <= tolerance;

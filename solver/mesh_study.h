@@ -10,11 +10,13 @@ namespace solver {
 /// It covers an error that at least halves with the patch size; in the box of solver/README.md it
 /// falls faster, as h^1.3 to h^2. Costs a fifteenth of the solve.
 /// @param transport    as for `solution`
+/// @param patch_m      of the patches that were solved
 /// @param extrapolate  move the irradiance of points by (E_h - E_2h) / 3, towards patches of no
 ///                     size (Richardson, order 2); the error stays what it was without
 /// @return false if longer patches cut the room no other way: then nothing is told
 bool study_mesh(const scenes::Room& room, const TransportOptions& transport,
-                const RadiosityOptions& radiosity, bool extrapolate, RoomSolution& solution);
+                const RadiosityOptions& radiosity, double patch_m, bool extrapolate,
+                RoomSolution& solution);
 
 /// Largest relative errors of a solve, over receivers and viewed points.
 struct PointErrors {

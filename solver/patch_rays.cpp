@@ -50,4 +50,40 @@ RayHit PatchRays::first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d
   return {patch, origin + t * direction};
 }
 
+ParallelHits PatchRays::first_hits(const std::array<Eigen::Vector3d, kRayPacket>& origin, int count,
+                                   const Eigen::Vector3d& direction) const {
+  alignas(64) RTCRayHit16 rays{};
+  alignas(64) std::array<int, kRayPacket> valid{};
+  const Eigen::Vector3f d = direction.cast<float>();
+  for (int k = 0; k < count; ++k) {
+    const auto lane = static_cast<std::size_t>(k);
+    const Eigen::Vector3f from = scene_->rays->local(origin[lane]);
+    valid[lane] = -1;
+    rays.ray.org_x[k] = from.x();
+    rays.ray.org_y[k] = from.y();
+    rays.ray.org_z[k] = from.z();
+    rays.ray.dir_x[k] = d.x();
+    rays.ray.dir_y[k] = d.y();
+    rays.ray.dir_z[k] = d.z();
+    rays.ray.tfar[k] = std::numeric_limits<float>::infinity();
+    rays.ray.mask[k] = ~0U;
+    rays.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(valid.data(), scene_->rays->get(), &context, &rays);
+  ParallelHits hits;
+  hits.patch.fill(-1);
+  for (int k = 0; k < count; ++k) {
+    const auto lane = static_cast<std::size_t>(k);
+    if (rays.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
+    const int patch = scene_->patch_of[rays.hit.primID[k]];
+    if (mesh_.normal[static_cast<std::size_t>(patch)].dot(direction) >= 0) continue;
+    hits.patch[lane] = patch;
+    hits.distance_m[lane] = static_cast<double>(rays.ray.tfar[k]);
+  }
+  return hits;
+}
+
 }  // namespace solver

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -13,6 +14,14 @@ struct RayHit {
   Eigen::Vector3d point_m;  ///< on the plane of the patch
 };
 
+/// Rays in one direction from places near each other, traced together.
+inline constexpr int kRayPacket = 16;
+
+struct ParallelHits {
+  std::array<int, kRayPacket> patch{};  ///< -1: nothing, or a patch from behind
+  std::array<double, kRayPacket> distance_m{};
+};
+
 /// Rays against the patches themselves: which patch is seen in a direction.
 class PatchRays {
  public:
@@ -23,6 +32,11 @@ class PatchRays {
 
   [[nodiscard]] RayHit first_hit(const Eigen::Vector3d& origin,
                                  const Eigen::Vector3d& direction) const;
+
+  /// @param direction  unit
+  /// @param count  how many of the origins are there
+  [[nodiscard]] ParallelHits first_hits(const std::array<Eigen::Vector3d, kRayPacket>& origin,
+                                        int count, const Eigen::Vector3d& direction) const;
 
  private:
   const scenes::PatchMesh& mesh_;

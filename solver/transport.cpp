@@ -7,22 +7,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <memory>
 
 #include "solver/direct_light.h"
+#include "solver/mesh_choice.h"
 
 namespace solver {
 namespace {
 
 constexpr int kMostPlannedRows = 2000;  ///< rows whose pairs the plan counts
-constexpr int kFloatCopies = 8,
-              kLightingCopies = 8,  ///< of the same, in double, while light is reduced
-    kDoubleCopies = 14;             ///< of patch x band arrays alive at the peak of a solve
-
 /// Seconds of one core, measured on a 2.5 GHz server core: a guide for people, nothing depends on
 /// it.
-constexpr double kPairSeconds = 1.5e-7, kOccludablePairSeconds = 1.2e-6, kSweepSeconds = 4e-10;
+constexpr double kPairSeconds = 1.5e-7, kOccludablePairSeconds = 1.2e-6, kSweepSeconds = 4e-10,
+                 kFinePatchSeconds = 4e-4;
 constexpr int kUsualSweeps = 40;
 
 class Stopwatch {
@@ -97,36 +94,6 @@ BandCounts count_bands(const scenes::Room& room) {
   return counts;
 }
 
-/// A lower estimate from the surfaces alone, before a mesh of any size is made.
-double estimated_patches(const scenes::Room& room, double patch_m) {
-  double area = 0;
-  for (std::size_t i = 0; i < room.plan_m.size(); ++i) {
-    const Eigen::Vector2d &p = room.plan_m[i], &q = room.plan_m[(i + 1) % room.plan_m.size()];
-    area += (q - p).norm() * room.height_m;  // wall
-    area += p.x() * q.y() - p.y() * q.x();   // floor and ceiling, each half of it
-  }
-  return area / (patch_m * patch_m);
-}
-
-double bytes_for(double patches, const scenes::Room& room) {
-  const int bands = room.grid.count;
-  const double lightings = 1 + static_cast<double>(room.scenarios.size());
-  const double padded = std::ceil(bands / 16.0) * 16;
-  return patches * patches / 2 * sizeof(float) +
-         patches * padded * (kFloatCopies * sizeof(float) + kDoubleCopies * sizeof(double)) +
-         patches * bands * lightings * kLightingCopies * sizeof(double) + 2000 * patches;
-}
-
-void require_memory(double bytes, std::int64_t limit, double patch_m) {
-  if (bytes <= static_cast<double>(limit)) return;
-  // Nearly all of it grows as patch_m^-4.
-  const double fits_m = patch_m * std::pow(bytes / static_cast<double>(limit), 0.25) * 1.02;
-  throw TooLarge(fmt::format(
-      "the solve at patch_m {:g} needs {:.3g} GB of memory and {:.3g} GB are free; "
-      "patch_m {:.2g} would fit",
-      patch_m, bytes * 1e-9, static_cast<double>(limit) * 1e-9, std::ceil(fits_m * 100) / 100));
-}
-
 /// The room under each of its lightings: all lights as they are, then the scenarios.
 std::vector<scenes::Room> relit_rooms(const scenes::Room& room) {
   std::vector<scenes::Room> rooms{room};
@@ -173,7 +140,8 @@ double sweep_seconds(int patches, int bands) {
 }
 
 /// What is left out of the pairs, of their rays, and of the bands.
-std::vector<Omission> omissions(const scenes::Room& room, const Plan& plan, bool unobstructed) {
+std::vector<Omission> omissions(const scenes::Room& room, const Plan& plan, bool unobstructed,
+                                const std::string& why_coarse) {
   std::vector<Omission> all;
   const std::int64_t n = plan.patches, pairs = n * (n - 1) / 2;
   all.push_back({fmt::format("{} of {} pairs", pairs - plan.pairs, pairs),
@@ -201,23 +169,35 @@ std::vector<Omission> omissions(const scenes::Room& room, const Plan& plan, bool
                    "same reflectances as another band, and its light times a factor",
                    saved(plan.bands, plan.solved_bands)});
   }
+  if (plan.fine.patch_m > 0) {
+    const double pairs_of_fine = 0.5 * std::pow(static_cast<double>(plan.fine.patches), 2);
+    all.push_back({fmt::format("exchange areas of about {} patches", plan.fine.patches),
+                   fmt::format("{}; {} coarse patches are solved, and rays gather their light",
+                               why_coarse, plan.patches),
+                   kPairSeconds * pairs_of_fine});
+  }
   return all;
 }
 
-Plan plan_with(const scenes::Room& room, const scenes::PatchMesh& mesh,
-               const Visibility& visibility, bool skip) {
+Plan plan_with(const scenes::Room& room, const MeshChoice& choice, const Visibility& visibility,
+               bool skip) {
   const BandCounts bands = count_bands(room);
-  Plan plan{.patches = mesh.size(), .bands = bands.lit, .solved_bands = bands.distinct};
-  count_pairs(mesh, visibility, plan);
-  plan.memory_bytes = static_cast<std::int64_t>(bytes_for(mesh.size(), room));
+  Plan plan{.patches = choice.solved.size(),
+            .patch_m = choice.patch_m,
+            .fine = choice.fine,
+            .bands = bands.lit,
+            .solved_bands = bands.distinct,
+            .memory_bytes = choice.memory_bytes};
+  count_pairs(choice.solved, visibility, plan);
   if (skip) {
-    plan.left_out = omissions(room, plan, visibility.unobstructed());
+    plan.left_out = omissions(room, plan, visibility.unobstructed(), choice.reason);
   } else {
     plan.solved_bands = room.grid.count;
   }
   plan.expected_seconds = kPairSeconds * static_cast<double>(plan.pairs) +
                           kOccludablePairSeconds * static_cast<double>(plan.occludable_pairs) +
-                          sweep_seconds(plan.patches, plan.solved_bands);
+                          sweep_seconds(plan.patches, plan.solved_bands) +
+                          kFinePatchSeconds * static_cast<double>(plan.fine.patches);
   return plan;
 }
 
@@ -230,33 +210,19 @@ void set_threads(int threads) {
                                                   static_cast<std::size_t>(threads));
 }
 
-std::int64_t available_memory_bytes() {
-  std::ifstream file("/proc/meminfo");
-  std::string word;
-  while (file >> word) {
-    std::int64_t kilobytes = 0;
-    if (word == "MemAvailable:" && file >> kilobytes) return kilobytes * 1024;
-  }
-  return std::int64_t{4} << 30;  // a system that does not say is taken to have 4 GB
-}
-
-Plan make_plan(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip) {
-  return plan_with(room, mesh, Visibility(room, mesh, skip), skip);
+Plan make_plan(const scenes::Room& room, const TransportOptions& options) {
+  const MeshChoice choice = choose_mesh(room, options);
+  return plan_with(room, choice, Visibility(room, choice.solved, options.skip), options.skip);
 }
 
 RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions& options) {
-  const double patch_m = options.patch_m > 0 ? options.patch_m : room.patch_m;
-  const std::int64_t limit =
-      options.memory_limit_bytes > 0 ? options.memory_limit_bytes : available_memory_bytes();
-  require_memory(bytes_for(estimated_patches(room, patch_m), room), limit, patch_m);
-
   Stopwatch watch;
   RoomTransport t;
-  t.mesh = scenes::mesh_room(room, patch_m);
+  MeshChoice choice = choose_mesh(room, options);
   t.seconds["mesh"] = watch.lap();
-  const Visibility visibility(room, t.mesh, options.skip);
-  t.plan = plan_with(room, t.mesh, visibility, options.skip);
-  require_memory(static_cast<double>(t.plan.memory_bytes), limit, patch_m);
+  const Visibility visibility(room, choice.solved, options.skip);
+  t.plan = plan_with(room, choice, visibility, options.skip);
+  t.mesh = std::move(choice.solved);
   t.seconds["plan"] = watch.lap();
 
   const std::vector<bool> lamp = lamp_patches(room, t.mesh);

@@ -23,22 +23,30 @@ struct Omission {
   double saved_seconds = 0;  ///< of one core, rough
 };
 
-/// Made before anything is computed; what it leaves out changes no result beyond rounding.
+/// Patches that are too many for exchange areas of their own: their light is gathered from coarser
+/// ones that are solved (fine_light.h).
+struct FinePlan {
+  double patch_m = 0;        ///< 0: there are none, the solved patches are those asked for
+  std::int64_t patches = 0;  ///< estimated from areas
+};
+
+/// Above this number of patches coarser ones are solved.
+inline constexpr int kMostSolvedPatches = 30000;
+
+/// Made before anything is computed; what it leaves out changes no result beyond rounding, unless
+/// there are fine patches.
 struct Plan {
-  int patches = 0;
+  int patches = 0;     ///< that are solved
+  double patch_m = 0;  ///< their longest edge
+  FinePlan fine;
   std::int64_t pairs = 0;             ///< of patches that face each other
   std::int64_t occludable_pairs = 0;  ///< of those, pairs that something might stand between
   int bands = 0;                      ///< that carry light
   int solved_bands = 0;  ///< of those, the ones whose solution is not another's times a number
-  std::int64_t memory_bytes = 0;      ///< peak, estimated
-  double expected_seconds = 0;        ///< of one core, rough
+  std::int64_t memory_bytes = 0;  ///< peak, estimated
+  double expected_seconds = 0;    ///< of one core, rough
   std::vector<Omission> left_out;
 };
-
-/// Pairs are counted exactly up to some thousand patches, beyond that from a sample of rows.
-/// @param skip  false: nothing is left out
-[[nodiscard]] Plan make_plan(const scenes::Room& room, const scenes::PatchMesh& mesh,
-                             bool skip = true);
 
 /// The memory that this process may still take, bytes.
 [[nodiscard]] std::int64_t available_memory_bytes();
@@ -78,10 +86,15 @@ struct ViewedWall {
   ViewRows view;    ///< what else the eye takes in
 };
 
+/// The plan of prepare_transport. Pairs are counted exactly up to some thousand patches, beyond
+/// that from a sample of rows.
+/// @throws TooLarge
+[[nodiscard]] Plan make_plan(const scenes::Room& room, const TransportOptions& options = {});
+
 /// Everything about a room that does not depend on reflectances. Built once per geometry and its
 /// lightings.
 struct RoomTransport {
-  scenes::PatchMesh mesh;
+  scenes::PatchMesh mesh;  ///< that is solved
   ExchangeAreas exchange;
   std::vector<Lighting> lightings;     ///< all lights as they are, then each of Room::scenarios
   std::vector<ReceiverRow> receivers;  ///< in the order of Room::receivers

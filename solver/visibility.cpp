@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "solver/ray_scene.h"
+#include "solver/sequence.h"
 
 namespace solver {
 namespace {
@@ -18,32 +19,6 @@ constexpr std::uint8_t kBehind = 0x80;
 /// block them.
 constexpr float kEndGap = 1e-4F;
 constexpr int kPacket = 16;
-
-/// Additive recurrence in four dimensions: k * (1/g, 1/g^2, ...), g the positive root of g^5 = g +
-/// 1, shifted by a hash of the seed. Low discrepancy without tables.
-class Sequence4 {
- public:
-  explicit Sequence4(std::uint64_t seed) {
-    for (double& s : shift_) {
-      seed += 0x9e3779b97f4a7c15ULL;  // splitmix64
-      std::uint64_t z = seed;
-      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-      z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-      s = static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-    }
-  }
-
-  [[nodiscard]] double operator()(int k, int dimension) const {
-    static constexpr std::array kStep{0.85667488385450287, 0.73389185662460043, 0.62870672081186297,
-                                      0.53859725722361198};
-    const auto d = static_cast<std::size_t>(dimension);
-    const double v = shift_[d] + k * kStep[d];
-    return v - std::floor(v);
-  }
-
- private:
-  std::array<double, 4> shift_{};
-};
 
 /// Running ratio of two sums with the standard error of the ratio (its samples taken as
 /// independent, which for low-discrepancy points errs on the safe side).
@@ -146,6 +121,8 @@ Visibility::Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh, 
   }
 }
 
+Visibility::Visibility() = default;
+
 Visibility::~Visibility() = default;
 
 template <typename Vertices>
@@ -195,6 +172,16 @@ SeparationMask Visibility::separation(const Vector3d& point, const Vector3d& nor
   SeparationMask mask(blockers_.size());
   separate(std::array{point}, Plane{normal, normal.dot(point)}, mask.data());
   return mask;
+}
+
+SeparationMask Visibility::separation(const Facet& facet) const {
+  SeparationMask mask(blockers_.size());
+  separate(facet.vertices, facet.plane(), mask.data());
+  return mask;
+}
+
+bool Visibility::may_block(const SeparationMask& a, const SeparationMask& b) {
+  return any_blocker_between(a.data(), b.data(), a.size());
 }
 
 std::uint32_t Visibility::blocked16(const Vector3d* from, const Vector3d* to, int count) const {

@@ -26,8 +26,10 @@ struct VisibleShare {
 /// What can stand between patches: furniture, and the walls of a plan that is not convex.
 class Visibility {
  public:
+  /// @param mesh  its patches can be asked about by number
   /// @param skip  false: every pair gets rays where there is anything to hit
   Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip = true);
+  Visibility();  ///< nothing blocks anything
   ~Visibility();
   Visibility(const Visibility&) = delete;
   Visibility& operator=(const Visibility&) = delete;
@@ -41,6 +43,8 @@ class Visibility {
   [[nodiscard]] bool may_block(const SeparationMask& set, int patch) const;
   [[nodiscard]] SeparationMask separation(const Eigen::Vector3d& point,
                                           const Eigen::Vector3d& normal) const;
+  [[nodiscard]] SeparationMask separation(const Facet& facet) const;
+  [[nodiscard]] static bool may_block(const SeparationMask& a, const SeparationMask& b);
 
   /// Rays between two patches, low-discrepancy, call it once per pair. The first 16 decide
   /// if they agree; else as many as `most_rays`.
@@ -79,7 +83,7 @@ class Visibility {
   [[nodiscard]] std::uint32_t blocked16(const Eigen::Vector3d* from, const Eigen::Vector3d* to,
                                         int count) const;
 
-  bool skip_;
+  bool skip_ = true;
   std::vector<Blocker> blockers_;
   std::vector<std::uint8_t> patch_masks_;  ///< patch x blocker
   std::unique_ptr<RayScene> scene_;

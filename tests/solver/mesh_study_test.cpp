@@ -53,8 +53,8 @@ std::vector<Bar> bars(double patch_m) {
   const auto exact = box_reference(room);
   const RoomSolution solution = solve_room(room, prepare_transport(room, {.patch_m = patch_m}));
   RoomSolution told = solution, moved = solution;
-  EXPECT_TRUE(study_mesh(room, {.patch_m = patch_m}, {}, false, told));
-  EXPECT_TRUE(study_mesh(room, {.patch_m = patch_m}, {}, true, moved));
+  EXPECT_TRUE(study_mesh(room, {}, {}, patch_m, false, told));
+  EXPECT_TRUE(study_mesh(room, {}, {}, patch_m, true, moved));
   std::vector<Bar> all;
   for (std::size_t k = 0; k < room.receivers.size(); ++k) {
     const ArrayXd& e = exact.at(room.receivers[k].name);
@@ -81,7 +81,7 @@ TEST(MeshStudy, RichardsonTakesMoreThanHalfOfTheError) {
 TEST(MeshStudy, TellsNothingOfAMeshThatCannotBeCoarser) {
   const scenes::Room room = box();
   RoomSolution solution = solve_room(room, prepare_transport(room, {.patch_m = 20}));
-  EXPECT_FALSE(study_mesh(room, {.patch_m = 20}, {}, false, solution));
+  EXPECT_FALSE(study_mesh(room, {}, {}, 20, false, solution));
   EXPECT_FALSE(solution.receivers[0].mesh_error.has_value());
 }
 
