@@ -22,6 +22,28 @@ TEST(WriteFiles, MakesFoldersAndLeavesOnlyTheFiles) {
   EXPECT_EQ(test::read_text(folder / "a/b/one.csv"), "1");
 }
 
+TEST(WriteFiles, WritesAFileInPieces) {
+  const TemporaryFolder folder;
+  write_files({{.path = folder / "large.csv", .text = "", .pieces = [](const TextSink& sink) {
+                  for (const char* piece : {"a,", "", "b", "\r\n"}) sink(piece);
+                }}});
+  EXPECT_EQ(test::read_text(folder / "large.csv"), "a,b\r\n");
+}
+
+TEST(WriteFiles, WritesNoneWhenAPieceFails) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_files({{.path = folder / "first.csv", .text = "1"},
+                            {.path = folder / "large.csv",
+                             .text = "",
+                             .pieces =
+                                 [](const TextSink& sink) {
+                                   sink("begun");
+                                   throw std::bad_alloc();
+                                 }}}),
+               std::bad_alloc);
+  EXPECT_THAT(test::names_in(folder.path()), ::testing::IsEmpty());
+}
+
 TEST(WriteFiles, WritesNoneWhenOneCannotBeWritten) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "taken.csv");

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "apps/colour_reports.h"
+#include "apps/room_reports.h"
+#include "scenes/room_json.h"
 #include "tests/apps/program.h"
 
 namespace apps {
@@ -60,6 +62,28 @@ TEST(ShiftCsv, MarksReconstructedSpectra) {
                               .swatch = seen(90, 100),
                               .room = seen(80, 90)});
   EXPECT_EQ(rows[1].back(), "reconstructed");
+}
+
+// Rows are handed on a thousand at a time; none may be lost or doubled where one lot ends.
+TEST(PatchesCsv, HasARowForEveryPatchAndTheErrorWhereThereIsOne) {
+  const scenes::Room room = scenes::read_room(SOURCE_DIR "/scenes/rooms/box.json");
+  const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.2);
+  ASSERT_GT(mesh.size(), 2048);
+  const solver::Bands h = solver::Bands::Constant(mesh.size(), 31, 2), b = h / 2;
+  const Eigen::ArrayXd error = Eigen::ArrayXd::Constant(mesh.size(), 0.25);
+  std::string text;
+  write_patches_csv(room, columns_of(room.grid), {mesh, h, b, &error},
+                    [&](std::string_view piece) { text += piece; });
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "patches.csv", text);
+  const auto rows = test::read_cells(folder / "patches.csv");
+  ASSERT_EQ(rows.size(), static_cast<std::size_t>(mesh.size()) + 1);
+  EXPECT_EQ(rows[0].size(), 6U + 31 + 31 + 1);
+  EXPECT_EQ(rows[0].back(), "standard_error");
+  for (std::size_t k = 1; k < rows.size(); ++k) EXPECT_EQ(rows[k][0], std::to_string(k - 1));
+  EXPECT_EQ(rows[1025][6], "2");
+  EXPECT_EQ(rows[1025][6 + 31], "1");
+  EXPECT_EQ(rows[1025].back(), "0.25");
 }
 
 TEST(PaintName, OfACompiledInAtlasFitsIntoARoomFile) {

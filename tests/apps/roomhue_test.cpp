@@ -88,6 +88,16 @@ TEST(Roomhue, CheckPrintsThePlanAsJson) {
   EXPECT_EQ(plan["bands"].get<int>(), 31);
 }
 
+TEST(Roomhue, CheckTellsThatManyPatchesAreGatheredFromCoarseOnes) {
+  const ProgramRun run = roomhue("check scenes/rooms/box.json --patch-m 0.02 --json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto plan = nlohmann::json::parse(run.out);
+  EXPECT_GT(plan["fine"]["patches"].get<int>(), 100'000);
+  EXPECT_EQ(plan["fine"]["patch_m"], 0.02);
+  EXPECT_LT(plan["patches"].get<int>(), 10'000);
+  EXPECT_GT(plan["patch_m"].get<double>(), 0.1);
+}
+
 TEST(Roomhue, SolveWritesItsThreeFiles) {
   const TemporaryFolder folder;
   const ProgramRun run = roomhue("solve " + kBox + "--out " + (folder / "new/box").string());
@@ -116,6 +126,8 @@ TEST(Roomhue, RunJsonTellsWhereResultsComeFrom) {
   EXPECT_LT(run["transport"]["reciprocity_defect"].get<double>(), 1e-12);
   // Absorbed = emitted in a closed room, to the accuracy of the solve (1e-6 relative).
   EXPECT_LT(run["solution"]["energy_balance"]["relative_defect"].get<double>(), 1e-5);
+  EXPECT_LT(run["extended_ambient_term"]["max_relative_error"].get<double>(), 0.2);
+  EXPECT_FALSE(run.contains("fine_patches"));  // all patches were solved
 }
 
 TEST(Roomhue, ResultsAreTheSameBitsForOneAndTwoThreads) {
