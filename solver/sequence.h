@@ -1,10 +1,12 @@
 #pragma once
+#include <Eigen/Core>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 namespace solver {
+
+using Samples16 = Eigen::Array<float, 16, 1>;
 
 /// Additive recurrence in four dimensions, k times a fixed step in each, shifted by a hash of the
 /// seed. Low discrepancy without tables; any run of consecutive points is such a sequence again.
@@ -34,7 +36,21 @@ class Sequence4 {
   [[nodiscard]] double operator()(int k, int dimension) const {
     const auto d = static_cast<std::size_t>(dimension);
     const double v = shift_[d] + k * step_[d];
-    return v - std::floor(v);
+    return v - static_cast<double>(static_cast<std::int64_t>(v));
+  }
+
+  /// 16 consecutive points of one dimension, in 32 bits.
+  [[nodiscard]] Samples16 sixteen(int first, int dimension) const {
+    constexpr double kWhole = 0x1p32;
+    const auto start = static_cast<std::uint32_t>((*this)(first, dimension) * kWhole);
+    const auto step =
+        static_cast<std::uint32_t>(step_[static_cast<std::size_t>(dimension)] * kWhole);
+    Samples16 points;
+    for (std::uint32_t k = 0; k < 16; ++k) {
+      const std::uint32_t at = start + k * step;  // wraps as the sequence does
+      points[static_cast<int>(k)] = static_cast<float>(static_cast<std::int32_t>(at >> 8U));
+    }
+    return points * 0x1p-24F;
   }
 
  private:

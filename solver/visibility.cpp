@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "solver/ray_scene.h"
@@ -19,16 +20,15 @@ constexpr std::uint8_t kBehind = 0x80;
 /// block them.
 constexpr float kEndGap = 1e-4F;
 constexpr int kPacket = 16;
+constexpr std::uint32_t kAllBlocked = 0xffff;
 
 /// Running ratio of two sums with the standard error of the ratio (its samples taken as
 /// independent, which for low-discrepancy points errs on the safe side).
 struct WeightedShare {
   double weight = 0, open = 0, open_squared = 0, weight_squared = 0, cross = 0;
   int count = 0;
-  bool some_open = false, some_blocked = false;  ///< among rays that carry light
 
   void add(double w, bool is_open) {
-    (is_open ? some_open : some_blocked) |= w > 0;
     const double o = is_open ? w : 0;
     weight += w;
     open += o;
@@ -38,8 +38,9 @@ struct WeightedShare {
     ++count;
   }
 
-  /// Some rays carry light, and what they say is the same.
-  [[nodiscard]] bool agreed() const { return some_open != some_blocked; }
+  void add(const Samples16& weights, std::uint32_t blocked) {
+    for (int k = 0; k < kPacket; ++k) add(weights[k], (blocked >> k & 1U) == 0);
+  }
 
   /// All, where no ray carries light: two that hardly face each other.
   [[nodiscard]] VisibleShare share() const {
@@ -50,10 +51,15 @@ struct WeightedShare {
   }
 };
 
-double kernel(const Vector3d& p, const Vector3d& np, const Vector3d& q, const Vector3d& nq) {
-  const Vector3d r = q - p;
-  const double r2 = r.squaredNorm();
-  return std::max(0.0, np.dot(r)) * std::max(0.0, -nq.dot(r)) / (r2 * r2);
+/// cos cos / r^2 / r^2 of 16 segments.
+Samples16 kernels(const Points16& from, const Vector3d& normal_from, const Points16& to,
+                  const Vector3d& normal_to) {
+  const Points16 r = to - from;
+  const auto along = [&](const Vector3d& n) -> Samples16 {
+    return (r.matrix() * n.cast<float>()).array().max(0.0F);
+  };
+  const Samples16 r2 = r.square().rowwise().sum().max(std::numeric_limits<float>::min());
+  return along(normal_from) * along(-normal_to) / r2 / r2;
 }
 
 /// A facet, or what of it is in front of a plane: points behind carry no light.
@@ -66,8 +72,22 @@ class Front {
     if (!vertices.empty()) part_ = make_facet(std::move(vertices));
   }
 
-  [[nodiscard]] Vector3d point(double s, double t) const {
-    return area_point(part_ ? *part_ : whole_, s, t);
+  /// Area points from two dimensions of the sequence.
+  [[nodiscard]] Points16 points(const RayScene& scene, const Sequence4& sequence, int first,
+                                int dimension) const {
+    const Facet& facet = part_ ? *part_ : whole_;
+    const std::vector<Vector3d>& v = facet.vertices;
+    const Samples16 s = sequence.sixteen(first, dimension),
+                    t = sequence.sixteen(first, dimension + 1);
+    Points16 p;
+    if (facet.rectangle) {
+      const Eigen::Vector3f corner = scene.local(v[0]), along_s = (v[1] - v[0]).cast<float>(),
+                            along_t = (v[3] - v[0]).cast<float>();
+      for (int d = 0; d < 3; ++d) p.col(d) = corner[d] + along_s[d] * s + along_t[d] * t;
+    } else {
+      for (int k = 0; k < kPacket; ++k) p.row(k) = scene.local(area_point(facet, s[k], t[k]));
+    }
+    return p;
   }
 
  private:
@@ -184,23 +204,20 @@ bool Visibility::may_block(const SeparationMask& a, const SeparationMask& b) {
   return any_blocker_between(a.data(), b.data(), a.size());
 }
 
-std::uint32_t Visibility::blocked16(const Vector3d* from, const Vector3d* to, int count) const {
+std::uint32_t Visibility::blocked16(const Points16& from, const Points16& to, int count) const {
   alignas(64) RTCRay16 rays{};
   alignas(64) std::array<int, kPacket> valid{};
-  for (int k = 0; k < count; ++k) {
-    const Vector3d r = to[k] - from[k];
-    const Eigen::Vector3f origin = scene_->local(from[k]);
-    valid[static_cast<std::size_t>(k)] = -1;
-    rays.org_x[k] = origin.x();
-    rays.org_y[k] = origin.y();
-    rays.org_z[k] = origin.z();
-    rays.dir_x[k] = static_cast<float>(r.x());
-    rays.dir_y[k] = static_cast<float>(r.y());
-    rays.dir_z[k] = static_cast<float>(r.z());
-    rays.tnear[k] = kEndGap;
-    rays.tfar[k] = 1 - kEndGap;
-    rays.mask[k] = ~0U;
-  }
+  std::fill_n(valid.begin(), count, -1);
+  const Points16 direction = to - from;
+  Eigen::Map<Samples16>(rays.org_x) = from.col(0);
+  Eigen::Map<Samples16>(rays.org_y) = from.col(1);
+  Eigen::Map<Samples16>(rays.org_z) = from.col(2);
+  Eigen::Map<Samples16>(rays.dir_x) = direction.col(0);
+  Eigen::Map<Samples16>(rays.dir_y) = direction.col(1);
+  Eigen::Map<Samples16>(rays.dir_z) = direction.col(2);
+  std::fill_n(rays.tnear, kPacket, kEndGap);
+  std::fill_n(rays.tfar, kPacket, 1 - kEndGap);
+  std::fill_n(rays.mask, kPacket, ~0U);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded16(valid.data(), scene_->get(), &context, &rays);
@@ -217,18 +234,12 @@ VisibleShare Visibility::between(const Facet& i, const Facet& j, std::uint64_t s
   const Front front_i(i, j.plane()), front_j(j, i.plane());
   WeightedShare sum;
   for (int done = 0; done < most_rays; done += kPacket) {
-    std::array<Vector3d, kPacket> from, to;
-    for (int k = 0; k < kPacket; ++k) {
-      const auto s = static_cast<std::size_t>(k);
-      from[s] = front_i.point(sequence(done + k, 0), sequence(done + k, 1));
-      to[s] = front_j.point(sequence(done + k, 2), sequence(done + k, 3));
-    }
-    const std::uint32_t blocked = blocked16(from.data(), to.data(), kPacket);
-    for (int k = 0; k < kPacket; ++k) {
-      const auto s = static_cast<std::size_t>(k);
-      sum.add(kernel(from[s], i.normal, to[s], j.normal), (blocked >> k & 1U) == 0);
-    }
-    if (done == 0 && sum.agreed()) break;
+    const Points16 from = front_i.points(*scene_, sequence, done, 0),
+                   to = front_j.points(*scene_, sequence, done, 2);
+    const std::uint32_t blocked = blocked16(from, to, kPacket);
+    if (done == 0 && blocked == 0) return {};
+    if (done == 0 && blocked == kAllBlocked) return {.share = 0};
+    sum.add(kernels(from, i.normal, to, j.normal), blocked);
   }
   return sum.share();
 }
@@ -239,19 +250,11 @@ VisibleShare Visibility::from_point(const Vector3d& point, const Vector3d& norma
   const Sequence4 sequence(seed);
   const Front front(facet, Plane{normal, normal.dot(point)});
   WeightedShare sum;
-  std::array<Vector3d, kPacket> from, to;
-  from.fill(point);
+  const Points16 from = scene_->local(point).transpose().array().replicate<kPacket, 1>();
   for (int target = 4 * kPacket; target <= most_rays; target *= 2) {
     while (sum.count < target) {
-      for (int k = 0; k < kPacket; ++k) {
-        to[static_cast<std::size_t>(k)] =
-            front.point(sequence(sum.count + k, 0), sequence(sum.count + k, 1));
-      }
-      const std::uint32_t blocked = blocked16(from.data(), to.data(), kPacket);
-      for (int k = 0; k < kPacket; ++k) {
-        const Vector3d& q = to[static_cast<std::size_t>(k)];
-        sum.add(kernel(point, normal, q, facet.normal), (blocked >> k & 1U) == 0);
-      }
+      const Points16 to = front.points(*scene_, sequence, sum.count, 0);
+      sum.add(kernels(from, normal, to, facet.normal), blocked16(from, to, kPacket));
     }
     if (sum.share().standard_error <= error) break;
   }
@@ -263,27 +266,29 @@ VisibleShare Visibility::towards(const Facet& facet, std::uint64_t seed, int ray
   if (unobstructed()) return {};
   const Sequence4 sequence(seed);
   WeightedShare sum;
-  std::array<Vector3d, kPacket> from, to;
-  std::array<double, kPacket> weight{};
+  Points16 from, to;
+  Samples16 weight;
   while (sum.count < rays) {
     for (int k = 0; k < kPacket; ++k) {
-      const auto s = static_cast<std::size_t>(k);
-      from[s] = area_point(facet, sequence(sum.count + k, 0), sequence(sum.count + k, 1));
-      const Target t = target(from[s]);
-      to[s] = t.point_m;
-      weight[s] = t.weight;
+      const Vector3d p = area_point(facet, sequence(sum.count + k, 0), sequence(sum.count + k, 1));
+      const Target t = target(p);
+      from.row(k) = scene_->local(p);
+      to.row(k) = scene_->local(t.point_m);
+      weight[k] = static_cast<float>(t.weight);
     }
-    const std::uint32_t blocked = blocked16(from.data(), to.data(), kPacket);
-    for (int k = 0; k < kPacket; ++k) {
-      sum.add(weight[static_cast<std::size_t>(k)], (blocked >> k & 1U) == 0);
-    }
-    if (sum.count == kPacket && sum.agreed()) break;
+    const std::uint32_t blocked = blocked16(from, to, kPacket);
+    sum.add(weight, blocked);
+    if (sum.count == kPacket && (blocked == 0 || blocked == kAllBlocked)) break;
   }
   return sum.share();
 }
 
 bool Visibility::open_segment(const Vector3d& from, const Vector3d& to) const {
-  return unobstructed() || blocked16(&from, &to, 1) == 0;
+  if (unobstructed()) return true;
+  const auto sixteen = [&](const Vector3d& p) -> Points16 {
+    return scene_->local(p).transpose().array().replicate<kPacket, 1>();
+  };
+  return blocked16(sixteen(from), sixteen(to), 1) == 0;
 }
 
 }  // namespace solver

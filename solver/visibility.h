@@ -12,6 +12,9 @@ namespace solver {
 
 class RayScene;
 
+/// A point a row, m, relative to the middle of a RayScene.
+using Points16 = Eigen::Array<float, 16, 3>;
+
 /// Which blockers a convex set (patch or point) cannot have in its way. One byte per blocker: bits
 /// 0..5 say that the set lies outside that face plane of the blocker, bit 7 that the blocker lies
 /// behind the set's own plane.
@@ -79,9 +82,8 @@ class Visibility {
   template <typename Vertices>
   void separate(const Vertices& vertices, const Plane& own, std::uint8_t* mask) const;
 
-  /// bit k set: segment k is blocked
-  [[nodiscard]] std::uint32_t blocked16(const Eigen::Vector3d* from, const Eigen::Vector3d* to,
-                                        int count) const;
+  /// bit k set: segment k is blocked, of the first `count`
+  [[nodiscard]] std::uint32_t blocked16(const Points16& from, const Points16& to, int count) const;
 
   bool skip_ = true;
   std::vector<Blocker> blockers_;
