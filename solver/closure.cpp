@@ -90,12 +90,10 @@ double stored_asymmetry(const ExchangeAreas& x) {
 }  // namespace
 
 ArrayXd unscaled_times(const SymmetricTiles& tiles, const ArrayXd& v) {
-  constexpr auto kPad = static_cast<Eigen::Index>(kColumnPad);
-  using Padded = Eigen::Array<double, Eigen::Dynamic, kPad, Eigen::RowMajor>;
-  Padded in = Padded::Zero(tiles.blocks * kTile, kPad), out(in.rows(), kPad);
-  in.col(0).head(v.size()) = v;
-  multiply(tiles, in.data(), out.data(), kColumnPad);
-  return out.col(0).head(v.size());
+  ArrayXd in = ArrayXd::Zero(tiles.blocks * kTile), out(in.size());
+  in.head(v.size()) = v;
+  multiply(tiles, in.data(), out.data());
+  return out.head(v.size());
 }
 
 void close(ExchangeAreas& x) {

@@ -75,6 +75,27 @@ void add_tile_double(const float* tile, bool transposed, const double* b, double
   add_tile(tile, transposed, b, y, columns);
 }
 
+/// y += a v over a tile. Eight sums a row: as many as the longest vector holds, for equal bits.
+void add_tile_vector(const float* tile, bool transposed, const double* v, double* y) {
+  constexpr std::size_t kSums = 8;
+  if (transposed) {
+    for (std::size_t k = 0; k < kEdge; ++k) {
+      for (std::size_t r = 0; r < kEdge; ++r)
+        y[r] += static_cast<double>(tile[k * kEdge + r]) * v[k];
+    }
+    return;
+  }
+  for (std::size_t r = 0; r < kEdge; ++r) {
+    double sum[kSums] = {};
+    for (std::size_t k = 0; k < kEdge; k += kSums) {
+      for (std::size_t l = 0; l < kSums; ++l) {
+        sum[l] += static_cast<double>(tile[r * kEdge + k + l]) * v[k + l];
+      }
+    }
+    y[r] += ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+  }
+}
+
 }  // namespace solver::HWY_NAMESPACE
 
 HWY_AFTER_NAMESPACE();
@@ -86,11 +107,13 @@ namespace {
 
 HWY_EXPORT(add_tile_float);
 HWY_EXPORT(add_tile_double);
+HWY_EXPORT(add_tile_vector);
 
 constexpr std::size_t kEdge = 64;
 
+/// add_tile(tile, transposed, rows of b, rows of y) over the tiles of each row, in their order.
 template <typename T, typename AddTile>
-void multiply_with(AddTile add_tile, const SymmetricTiles& matrix, const T* b, T* y,
+void multiply_with(const AddTile& add_tile, const SymmetricTiles& matrix, const T* b, T* y,
                    std::size_t columns) {
   tbb::parallel_for(0, matrix.blocks, [&](int row) {
     const std::size_t block_size = kEdge * columns;
@@ -101,7 +124,7 @@ void multiply_with(AddTile add_tile, const SymmetricTiles& matrix, const T* b, T
           matrix.offset[matrix.index(std::min(row, column), std::max(row, column))];
       if (at == SymmetricTiles::kAbsent) continue;
       add_tile(&matrix.values[static_cast<std::size_t>(at)], column < row,
-               b + static_cast<std::size_t>(column) * block_size, y_rows, columns);
+               b + static_cast<std::size_t>(column) * block_size, y_rows);
     }
   });
 }
@@ -116,11 +139,23 @@ float SymmetricTiles::at(int i, int j) const {
 }
 
 void multiply(const SymmetricTiles& matrix, const float* b, float* y, std::size_t columns) {
-  multiply_with(HWY_DYNAMIC_DISPATCH(add_tile_float), matrix, b, y, columns);
+  auto* const add = HWY_DYNAMIC_DISPATCH(add_tile_float);
+  const auto add_tile = [&](const float* tile, bool transposed, const float* from, float* to) {
+    add(tile, transposed, from, to, columns);
+  };
+  multiply_with(add_tile, matrix, b, y, columns);
 }
 
 void multiply(const SymmetricTiles& matrix, const double* b, double* y, std::size_t columns) {
-  multiply_with(HWY_DYNAMIC_DISPATCH(add_tile_double), matrix, b, y, columns);
+  auto* const add = HWY_DYNAMIC_DISPATCH(add_tile_double);
+  const auto add_tile = [&](const float* tile, bool transposed, const double* from, double* to) {
+    add(tile, transposed, from, to, columns);
+  };
+  multiply_with(add_tile, matrix, b, y, columns);
+}
+
+void multiply(const SymmetricTiles& matrix, const double* v, double* y) {
+  multiply_with(HWY_DYNAMIC_DISPATCH(add_tile_vector), matrix, v, y, 1);
 }
 
 }  // namespace solver

@@ -32,4 +32,7 @@ inline constexpr std::size_t kColumnPad = 16;
 void multiply(const SymmetricTiles& matrix, const float* b, float* y, std::size_t columns);
 void multiply(const SymmetricTiles& matrix, const double* b, double* y, std::size_t columns);
 
+/// The same of a vector of 64 * blocks numbers.
+void multiply(const SymmetricTiles& matrix, const double* v, double* y);
+
 }  // namespace solver
