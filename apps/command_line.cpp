@@ -355,6 +355,16 @@ void add_picture_commands(CLI::App& program, CommandLine& line) {
   add_colour(shader.app(), "--alpha", printed->alpha, "r,g,b: share of other products, from 0");
 }
 
+void add_verify_command(CLI::App& program, CommandLine& line) {
+  Subcommand verify(program, "verify",
+                    "Is the engine right on this machine? Cases with closed forms, each with its "
+                    "error; exit code 7 if one fails",
+                    "--out out/verify");
+  const auto verified = verify.runs(verify_engine, line);
+  verify.app().add_option("--out", verified->out,
+                          "folder for verify.csv (default: nothing is written)");
+}
+
 }  // namespace
 
 int thread_count(const Session& session) {
@@ -374,12 +384,14 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       ->check(CLI::Range(1, 4096));
   program.footer(
       "Exit codes: 0 done, 1 our bug, 2 usage, 3 invalid input, 4 file cannot be read or written,\n"
-      "5 not converged, 6 some rooms of a batch failed, 130 interrupted.\n"
+      "5 not converged, 6 some rooms of a batch failed, 7 a self-check failed,\n"
+      "130 interrupted.\n"
       "Help on a subcommand: roomhue rank --help");
   add_room_commands(program, line);
   add_rank_commands(program, line);
   add_file_commands(program, line);
   add_picture_commands(program, line);
+  add_verify_command(program, line);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

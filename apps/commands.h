@@ -60,6 +60,10 @@ struct ShaderCommand {
   std::optional<Colour> alpha;
 };
 
+struct VerifyCommand {
+  std::string out;  ///< folder; empty: nothing is written
+};
+
 Exit check_room(const RoomCommand& command, const Session& session);
 Exit solve_room(const SolveCommand& command, const Session& session);
 Exit shift_room(const RoomCommand& command, const Session& session);
@@ -74,5 +78,6 @@ Exit solve_cube(const FileCommand& command, const Session& session);
 Exit solve_brick(const FileCommand& command, const Session& session);
 Exit relight_picture(const RelightCommand& command, const Session& session);
 Exit print_shader(const ShaderCommand& command, const Session& session);
+Exit verify_engine(const VerifyCommand& command, const Session& session);
 
 }  // namespace apps

@@ -13,6 +13,7 @@ enum class Exit {
   file_error = 4,
   not_converged = 5,
   batch_failures = 6,
+  self_check_failed = 7,
 };
 
 struct Outcome {

@@ -25,8 +25,8 @@ struct Span {
                                       const std::vector<Eigen::Vector3d>& polygon);
 
 /// A_i F_ij of two facets: clipped to each other's front, then by the distance rule: closed form
-/// for aligned rectangles that are near, Gauss on the smaller with the exact inner integral for
-/// other near pairs, Gauss on both where they are far. 0 <= A_i F_ij <= min(A_i, A_j).
+/// for aligned rectangles that are near, integrals along both contours for other near pairs, also
+/// touching ones, Gauss on both areas where they are far. 0 <= A_i F_ij <= min(A_i, A_j).
 [[nodiscard]] double exchange_area(const Facet& i, const Facet& j);
 
 /// Points per edge of the product rule for facets this far apart (centre distance / larger size);

@@ -24,7 +24,7 @@ TEST(Roomhue, HelpAndVersionAreNoErrors) {
   EXPECT_THAT(roomhue("--version").out, StartsWith("roomhue "));
   for (const char* command :
        {"check", "solve", "shift", "compare", "rank", "atlas", "mix", "inverse", "appearance",
-        "cube", "brick", "batch", "relight", "shader"}) {
+        "cube", "brick", "batch", "relight", "shader", "verify"}) {
     const ProgramRun run = roomhue(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_THAT(run.out, HasSubstr("Example: roomhue " + std::string(command))) << command;

@@ -90,7 +90,20 @@ TEST(PairFactor, PartsOfARectangleAddUpToTheWhole) {
   const Facet lower = make_facet({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
   const Facet upper = make_facet({{0, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   EXPECT_NEAR(exchange_area(wall, lower) + exchange_area(wall, upper), exchange_area(wall, floor),
-              2e-6);
+              1e-9);
+}
+
+// So do triangles that almost touch, as furniture with a gap does.
+TEST(PairFactor, NearlyTouchingTrianglesAddUpToTheRectangle) {
+  for (const double gap : {1e-1, 1e-3, 1e-6}) {
+    const Facet wall = rectangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    const Facet floor = rectangle({gap, 0, -gap}, {1, 0, 0}, {0, 1, 0});
+    const Facet lower = make_facet({{gap, 0, -gap}, {1 + gap, 0, -gap}, {1 + gap, 1, -gap}});
+    const Facet upper = make_facet({{gap, 0, -gap}, {1 + gap, 1, -gap}, {gap, 1, -gap}});
+    EXPECT_NEAR(exchange_area(wall, lower) + exchange_area(wall, upper), exchange_area(wall, floor),
+                1e-8)
+        << gap;
+  }
 }
 
 TEST(PairFactor, StraddlingFacetIsClippedToTheFront) {
