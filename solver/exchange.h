@@ -21,6 +21,7 @@ struct ExchangeAreas {
   double closure_defect = 0;   ///< max_i |sum_j F_ij - 1| over patches that see something
   double reciprocity_defect = 0;  ///< max |A_i F_ij - A_j F_ji| / A_i over what is stored twice
   double largest_scaling = 0;     ///< max |d_i - 1|: how much closure had to mend
+  double largest_self_view = 0;   ///< F_ii given to patches in gaps that scaling cannot close
   std::vector<int> isolated;      ///< patches that see nothing
   std::vector<int> cluster;       ///< of each patch, see coarse_room.h; empty: none
   Eigen::MatrixXd cluster_exchange_m2;  ///< A_i F_ij summed over the pairs of two clusters

@@ -15,6 +15,9 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 
 constexpr double kOnHorizon_m = 1e-12;
+/// Closed forms are differences of terms as large as the larger area: below this ratio of areas
+/// they keep less than 1e-7.
+constexpr double kTiny = 1e-8;
 constexpr double kNoArea_m2 = 1e-18;  ///< a clipped sliver below this exchanges nothing
 
 /// sum over the corners of both rectangles of (-1)^(i+j+k+l) G
@@ -92,7 +95,8 @@ double facing_exchange(const Facet& i, const Facet& j) {
     return far_exchange(quadrature(i.vertices, order), i.normal, quadrature(j.vertices, order),
                         j.normal);
   }
-  if (const auto closed = aligned_rectangles(i, j)) return *closed;
+  const bool tiny = std::min(i.area_m2, j.area_m2) < kTiny * std::max(i.area_m2, j.area_m2);
+  if (const auto closed = tiny ? std::nullopt : aligned_rectangles(i, j)) return *closed;
   return i.area_m2 <= j.area_m2 ? gauss_with_exact_inner(i, j) : gauss_with_exact_inner(j, i);
 }
 

@@ -59,8 +59,7 @@ Iterations iterate(const StiffRoom& stiff) {
   for (Index k = 0; k < solution.irradiance.cols(); ++k) {
     const ArrayXd irradiance = solution.irradiance.col(k), exact = direct.irradiance.col(k);
     const double mean = (area * irradiance).sum() / area.sum();
-    const double expected =
-        (area * emission).sum() / (area.sum() * (1 - kReflectances[k]));
+    const double expected = (area * emission).sum() / (area.sum() * (1 - kReflectances[k]));
     result.error = std::max({result.error, std::abs(mean / expected - 1),
                              (irradiance - exact).abs().maxCoeff() / mean});
   }

@@ -26,8 +26,8 @@ std::string panel_member(const std::string& where) {
 }
 
 scenes::Room room_of(const std::string& members) {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                     fmt::format("roomhue_stability_{}.json", getpid());
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("roomhue_stability_{}.json", getpid());
   std::ofstream(path) << R"({ "roomhue": 1, )" << members << " }";
   scenes::Room room = scenes::read_room(path);
   std::filesystem::remove(path);
@@ -64,8 +64,7 @@ scenes::Room uniform(scenes::Room room, double reflectance) {
 
 Solved solve(const scenes::Room& room, double relative_error) {
   Solved solved{.transport = solver::prepare_transport(room), .solution = {}};
-  solved.solution =
-      solver::solve_room(room, solved.transport, {.relative_error = relative_error});
+  solved.solution = solver::solve_room(room, solved.transport, {.relative_error = relative_error});
   return solved;
 }
 

@@ -35,9 +35,7 @@ struct Solved {
   solver::RoomSolution solution;
 
   /// W m^-2 nm^-1 at 400 nm, per patch.
-  [[nodiscard]] Eigen::ArrayXd irradiance() const {
-    return solution.radiosity.irradiance.col(0);
-  }
+  [[nodiscard]] Eigen::ArrayXd irradiance() const { return solution.radiosity.irradiance.col(0); }
 
   [[nodiscard]] double at_receiver(std::size_t k) const {
     return solution.receivers[k].irradiance[0];
@@ -50,8 +48,8 @@ struct Solved {
 /// 1 everywhere. The largest error on patches and at receivers.
 [[nodiscard]] double furnace_error(scenes::Room room);
 
-/// Area-mean irradiance of a room that reflects rho everywhere is flux / (A (1 - rho)). Its relative
-/// error.
+/// Area-mean irradiance of a room that reflects rho everywhere is flux / (A (1 - rho)). Its
+/// relative error.
 [[nodiscard]] double mean_light_error(const Solved& solved, double reflectance);
 
 }  // namespace stability
