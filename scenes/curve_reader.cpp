@@ -23,7 +23,7 @@ using spectra::Spectrum;
 
 constexpr Limits kReflectance{.least = 0, .most = 1, .below_most = true};
 constexpr Limits kTransmittance{.least = 0, .most = 1};
-constexpr Limits kPower{.least = 0, .most = 1e9};
+constexpr Limits kPower{.least = 0, .most = 1e12};
 constexpr Limits kWavelength_nm{.least = 100, .most = 1e4};
 
 /// { nm, values }; no samples after a fault.

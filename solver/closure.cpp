@@ -13,6 +13,7 @@ namespace {
 using Eigen::ArrayXd;
 
 constexpr double kClosed = 2e-15;     ///< defect at which rounding takes over
+constexpr double kSettled = 1e-10;    ///< defect above which scaling has failed
 constexpr int kMostNewtonSteps = 30;  ///< 4 are usual
 constexpr int kMostInnerSteps = 200;
 constexpr double kInnerReduction = 1e-5;
@@ -96,18 +97,16 @@ ArrayXd unscaled_times(const SymmetricTiles& tiles, const ArrayXd& v) {
   return out.head(v.size());
 }
 
-void close(ExchangeAreas& x) {
+namespace {
+
+/// Newton's method for d with d_i sum_j X_ij d_j = A_i. @return the relative defect that is left,
+/// per patch
+ArrayXd scale_to_close(ExchangeAreas& x, const ArrayXd& sees) {
   const ArrayXd& area = x.area_m2;
-  ArrayXd d = ArrayXd::Ones(area.size());
-  ArrayXd row_sum = unscaled_times(x.unscaled, d);
-  const ArrayXd sees = (row_sum > 0).cast<double>();
-  for (int i = 0; i < x.patches(); ++i) {
-    if (sees[i] == 0) x.isolated.push_back(i);
-  }
-  d *= sees;
+  ArrayXd d = sees;
   // A patch that sees nothing has an empty row: 1 in place of its row sum keeps the systems
   // regular.
-  ArrayXd m = d * row_sum + (1 - sees);
+  ArrayXd m = d * unscaled_times(x.unscaled, d) + (1 - sees);
   ArrayXd defect = sees * (area - m);
   const auto worst = [&] { return (defect / area).abs().maxCoeff(); };
   double last = 1e300;
@@ -115,13 +114,49 @@ void close(ExchangeAreas& x) {
     last = worst();
     const ArrayXd e = solve_newton_system(x.unscaled, d, m, defect);
     d *= (1 + e).max(0.5).min(2.0);
-    row_sum = unscaled_times(x.unscaled, d);
-    m = d * row_sum + (1 - sees);
+    m = d * unscaled_times(x.unscaled, d) + (1 - sees);
     defect = sees * (area - m);
   }
   x.scaling = d;
-  x.closure_defect = worst();
-  x.largest_scaling = (sees * (d - 1)).abs().maxCoeff();
+  return (defect / area).abs();
+}
+
+/// A_i F_ii, m^2; makes room for it where a tile was not stored.
+void set_self_exchange(SymmetricTiles& tiles, int patch, double exchange_area_m2) {
+  const int block = patch / kTile, line = patch % kTile;
+  std::int64_t& at = tiles.offset[tiles.index(block, block)];
+  if (at == SymmetricTiles::kAbsent) {
+    at = static_cast<std::int64_t>(tiles.values.size());
+    tiles.values.resize(tiles.values.size() + std::size_t{kTile} * kTile);
+  }
+  tiles.values[static_cast<std::size_t>(at + std::int64_t{line} * kTile + line)] =
+      static_cast<float>(exchange_area_m2);
+}
+
+}  // namespace
+
+/// In a narrow gap two patches see little but each other. If one of the two sees a trace of the
+/// room, by the luck of its rays, and the other does not, no scaling closes both rows. Such patches
+/// are let see themselves a little, which takes up the difference.
+void close(ExchangeAreas& x) {
+  constexpr double kWorst = 0.1, kStrained = 0.1, kLeastShare = 1e-4, kMostShare = 0.2;
+  const ArrayXd ones = ArrayXd::Ones(x.patches());
+  const ArrayXd sees = (unscaled_times(x.unscaled, ones) > 0).cast<double>();
+  for (int i = 0; i < x.patches(); ++i) {
+    if (sees[i] == 0) x.isolated.push_back(i);
+  }
+  ArrayXd defect = scale_to_close(x, sees);
+  for (double share = kLeastShare; defect.maxCoeff() > kSettled && share < kMostShare; share *= 4) {
+    const double most = kWorst * defect.maxCoeff();
+    const auto strained = (defect > most || (sees * (x.scaling - 1)).abs() > kStrained).eval();
+    for (int i = 0; i < x.patches(); ++i) {
+      if (strained[i]) set_self_exchange(x.unscaled, i, share * x.area_m2[i]);
+    }
+    defect = scale_to_close(x, sees);
+    x.largest_self_view = share;
+  }
+  x.closure_defect = defect.maxCoeff();
+  x.largest_scaling = (sees * (x.scaling - 1)).abs().maxCoeff();
   x.gather_norm = gather_norms(x);
   x.reciprocity_defect = stored_asymmetry(x);
 }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "solver/closure.h"
+#include "solver/coarse_room.h"
 #include "solver/far_field.h"
 #include "solver/pair_factor.h"
 
@@ -217,6 +218,8 @@ ExchangeAreas compute_exchange(const scenes::PatchMesh& mesh, const Visibility& 
   exchange.tested_pairs = tested;
   exchange.partial_pairs = partial;
   close(exchange);
+  exchange.cluster = cluster_patches(mesh);
+  exchange.cluster_exchange_m2 = exchange_between(exchange.cluster, exchange);
   return exchange;
 }
 

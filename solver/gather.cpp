@@ -187,6 +187,25 @@ void add_gradients(const Vector3d& point, const Vector3d& normal, const scenes::
   }
 }
 
+/// A point on an edge lies in the plane of a surface that fills up to half of its sky, yet sees it
+/// edge-on. It is moved into the air, where the light has its limit.
+Vector3d off_the_edge(const Vector3d& point, const Vector3d& normal,
+                      const scenes::PatchMesh& mesh) {
+  constexpr double kOnPlane_m = 1e-9, kStep_m = 1e-7;
+  std::vector<Vector3d> touched;
+  for (std::size_t j = 0; j < mesh.polygon.size(); ++j) {
+    const Vector3d& other = mesh.normal[j];
+    if (std::abs(other.dot(point - mesh.centre[j])) > kOnPlane_m) continue;
+    const bool known = std::ranges::any_of(
+        touched, [&](const Vector3d& t) { return (t - other).norm() < kOnPlane_m; });
+    if (known || (other - normal).norm() < kOnPlane_m) continue;
+    if (inside(mesh.polygon[j], other, point)) touched.push_back(other);
+  }
+  Vector3d moved = point;
+  for (const Vector3d& n : touched) moved += kStep_m * n;
+  return moved;
+}
+
 }  // namespace
 
 GradientWeights gradient_weights(const scenes::PatchMesh& mesh, const std::vector<Facet>& facets,
@@ -212,9 +231,10 @@ GradientWeights gradient_weights(const scenes::PatchMesh& mesh, const std::vecto
   return neighbours;
 }
 
-GatherRow gather_at_point(const Vector3d& point, const Vector3d& normal,
+GatherRow gather_at_point(const Vector3d& at_m, const Vector3d& normal,
                           const scenes::PatchMesh& mesh, const std::vector<Facet>& facets,
                           const Visibility& visibility, const GatherOptions& options) {
+  const Vector3d point = off_the_edge(at_m, normal, mesh);
   const auto n = static_cast<Eigen::Index>(facets.size());
   GatherRow row{.weights = VectorXd::Zero(n), .standard_error = VectorXd::Zero(n)};
   const SeparationMask mask = visibility.separation(point, normal);

@@ -26,8 +26,9 @@ struct GatherOptions {
 /// Irradiance at a surface element. Form factors from the point are exact [Lambert1760], visible
 /// shares come from rays; near patches also count the gradient of B, taken from their neighbours in
 /// the surface, times the kernel's first moment. What sampling leaves open is spread over the
-/// weights by their variances, so that they sum to 1 as in a closed room.
-[[nodiscard]] GatherRow gather_at_point(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+/// weights by their variances, so that they sum to 1 as in a closed room. On an edge the light is
+/// the limit from the air.
+[[nodiscard]] GatherRow gather_at_point(const Eigen::Vector3d& at_m, const Eigen::Vector3d& normal,
                                         const scenes::PatchMesh& mesh,
                                         const std::vector<Facet>& facets,
                                         const Visibility& visibility, const GatherOptions& options);

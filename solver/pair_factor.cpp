@@ -15,6 +15,9 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 
 constexpr double kOnHorizon_m = 1e-12;
+/// Closed forms are differences of terms as large as the larger area: below this ratio of areas
+/// they keep less than 1e-7.
+constexpr double kTiny = 1e-8;
 constexpr double kNoArea_m2 = 1e-18;  ///< a clipped sliver below this exchanges nothing
 
 /// sum over the corners of both rectangles of (-1)^(i+j+k+l) G
@@ -165,14 +168,24 @@ double contour_exchange(const Facet& outer, const Facet& inner) {
   return sum / (2 * pi);
 }
 
+double gauss_with_exact_inner(const Facet& outer, const Facet& inner) {
+  double sum = 0;
+  for (const QuadraturePoint& p : quadrature(outer.vertices, 8)) {
+    sum += p.weight_m2 * point_to_polygon(p.position, outer.normal, inner.vertices);
+  }
+  return sum;
+}
+
 double facing_exchange(const Facet& i, const Facet& j) {
   const double ratio = (i.centre - j.centre).norm() / std::max(i.size_m, j.size_m);
   if (const int order = far_field_order(ratio)) {
     return far_exchange(quadrature(i.vertices, order), i.normal, quadrature(j.vertices, order),
                         j.normal);
   }
+  const Facet &small = i.area_m2 <= j.area_m2 ? i : j, &large = i.area_m2 <= j.area_m2 ? j : i;
+  if (small.area_m2 < kTiny * large.area_m2) return gauss_with_exact_inner(small, large);
   if (const auto closed = aligned_rectangles(i, j)) return *closed;
-  return i.area_m2 <= j.area_m2 ? contour_exchange(i, j) : contour_exchange(j, i);
+  return contour_exchange(small, large);
 }
 
 }  // namespace

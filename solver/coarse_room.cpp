@@ -1,0 +1,103 @@
+#include "solver/coarse_room.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace solver {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double kUsualClusters = 64;
+constexpr std::size_t kMostClusters = 256;  ///< factoring them costs less than a sweep or two
+
+/// Sums of the patches' rows over each cluster.
+Bands summed(const std::vector<int>& cluster, Index clusters, const Bands& rows) {
+  Bands sum = Bands::Zero(clusters, rows.cols());
+  for (Index i = 0; i < rows.rows(); ++i) {
+    sum.row(cluster[static_cast<std::size_t>(i)]) += rows.row(i);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<int> cluster_patches(const scenes::PatchMesh& mesh) {
+  std::map<int, Eigen::AlignedBox3d> extent;
+  for (std::size_t i = 0; i < mesh.polygon.size(); ++i) {
+    extent[mesh.surface[i]].extend(mesh.centre[i]);
+  }
+  const double area_m2 = std::accumulate(mesh.area_m2.begin(), mesh.area_m2.end(), 0.0);
+  const double edge_m = std::sqrt(area_m2 / kUsualClusters);
+  std::map<std::array<int, 4>, int> cells;
+  std::vector<int> cluster;
+  for (std::size_t i = 0; i < mesh.polygon.size(); ++i) {
+    const Eigen::AlignedBox3d& box = extent[mesh.surface[i]];
+    std::array<int, 4> cell{mesh.surface[i], 0, 0, 0};
+    for (Index axis = 0; axis < 3; ++axis) {
+      const double length_m = box.sizes()[axis], at_m = mesh.centre[i][axis] - box.min()[axis];
+      const double count = std::floor(length_m / edge_m) + 1;
+      const double index = length_m > 0 ? std::floor(at_m / length_m * count) : 0;
+      cell[static_cast<std::size_t>(axis) + 1] = static_cast<int>(std::min(index, count - 1));
+    }
+    cluster.push_back(cells.emplace(cell, static_cast<int>(cells.size())).first->second);
+  }
+  if (cells.size() > kMostClusters) cluster.clear();
+  return cluster;
+}
+
+MatrixXd exchange_between(const std::vector<int>& cluster, const ExchangeAreas& exchange) {
+  if (cluster.empty()) return {};
+  const Index n = exchange.patches();
+  const Index clusters = *std::max_element(cluster.begin(), cluster.end()) + 1;
+  Bands member = Bands::Zero(n, clusters);
+  for (Index i = 0; i < n; ++i) member(i, cluster[static_cast<std::size_t>(i)]) = 1;
+  const Bands share = gather(exchange, member);  // of the light leaving i that arrives in a cluster
+  return summed(cluster, clusters, share.colwise() * exchange.area_m2).matrix();
+}
+
+CoarseRoom::CoarseRoom(const RadiositySystem& system) : exchange_(system.exchange) {
+  if (cluster().empty()) return;
+  const Bands& reflectance = system.reflector.numbers();
+  area_m2_ = summed(cluster(), clusters(), exchange_.area_m2).col(0);
+  const Bands reflecting_m2 =
+      summed(cluster(), clusters(), reflectance.colwise() * exchange_.area_m2);
+  q_ = reflecting_m2.sqrt().colwise() / area_m2_;
+  const Bands scale = (reflecting_m2 > 0).select(reflecting_m2.rsqrt(), 0.0);
+  weights_ = (reflectance.colwise() * exchange_.area_m2).sqrt();
+  for (Index i = 0; i < weights_.rows(); ++i) {
+    weights_.row(i) *= scale.row(cluster()[static_cast<std::size_t>(i)]);
+  }
+  const MatrixXd identity = MatrixXd::Identity(clusters(), clusters());
+  for (Index k = 0; k < q_.cols(); ++k) {
+    const auto q = q_.col(k).matrix().asDiagonal();
+    const Eigen::LLT<MatrixXd> factor(identity - q * exchange_.cluster_exchange_m2 * q);
+    // Where rho is 1 to within rounding there may be no factor; then there is no correction.
+    inverse_.push_back(factor.info() == Eigen::Success ? MatrixXd(factor.solve(identity))
+                                                       : identity);
+  }
+}
+
+/// With t the mean of what a cluster has sent, its irradiance w obeys A w = X_c (t + mean rho w); u
+/// = sqrt(mean rho A) w solves M_c u = q X_c t.
+Bands CoarseRoom::irradiance(const Bands& sent) const {
+  const Bands t =
+      summed(cluster(), clusters(), sent.colwise() * exchange_.area_m2).colwise() / area_m2_;
+  const MatrixXd arriving = exchange_.cluster_exchange_m2 * t.matrix();
+  Bands w(clusters(), t.cols());
+  for (Index k = 0; k < t.cols(); ++k) {
+    const ArrayXd q = q_.col(k);
+    const Eigen::VectorXd u = inverse(k) * (q * arriving.col(k).array()).matrix();
+    w.col(k) = (q > 0).select(u.array() / (q * area_m2_), 0.0);
+  }
+  return w(cluster(), Eigen::all);
+}
+
+}  // namespace solver
