@@ -17,6 +17,13 @@ struct RoomOptions {
   solver::RadiosityOptions radiosity;
 };
 
+/// How error is measured against run time.
+struct ConvergenceOptions {
+  double patch_m = 0;    ///< of the baseline; 0: the room's own
+  double seconds = 120;  ///< after which nothing more is started; the reference may take half of
+                         ///< them, by its plan
+};
+
 /// How the paints of an atlas are ranked in a room.
 struct RankOptions {
   RoomOptions room;
