@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "appearance/spectra/rgb_space.h"
+#include "apps/svg.h"
 
 namespace apps {
 namespace {
@@ -28,29 +29,6 @@ std::string screen_colour(const spectra::RelativeXyz& xyz) {
     c[static_cast<std::size_t>(i)] = static_cast<int>(std::lround(255 * coded));
   }
   return fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]);
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
 }
 
 /// From chroma units to the picture, the same scale on both axes.
@@ -91,7 +69,7 @@ std::string arrow(const Plane& plane, const ChipArrow& chip) {
   std::string svg = fmt::format(
       "<g stroke='{0}' fill='{0}'><title>{1}</title><circle cx='{2:.1f}' cy='{3:.1f}' r='2.5' "
       "stroke='#444' stroke-width='0.4'/>",
-      screen_colour(chip.colour), escaped(chip.name), from.x(), from.y());
+      screen_colour(chip.colour), svg_escaped(chip.name), from.x(), from.y());
   if (length > 0.5) {
     const Vector2d along = way / length, across(-along.y(), along.x()), base = to - head * along;
     const Vector2d left = base + head / 2.5 * across, right = base - head / 2.5 * across;
@@ -113,15 +91,12 @@ std::string arrow_picture(const std::string& title, const std::vector<ChipArrow>
     reach = std::max({reach, c.swatch.norm(), c.room.norm()});
   }
   const Plane plane(std::ceil(reach / 10) * 10);
-  std::string svg = fmt::format(
-      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0:g} {0:g}' width='{0:g}' "
-      "height='{0:g}' font-family='sans-serif' font-size='14'>\n"
-      "<style>.tick {{ font-size: 11px; fill: #777 }}</style>\n"
-      "<rect width='100%' height='100%' fill='white'/>\n"
-      "<text x='{1:g}' y='30' text-anchor='middle' font-size='18'>{2}</text>\n"
-      "<text x='{1:g}' y='50' text-anchor='middle'>dot: on the swatch; arrow head: in the "
+  std::string svg = svg_head(kSize, kSize);
+  svg += fmt::format(
+      "<text x='{0:g}' y='30' text-anchor='middle' font-size='18'>{1}</text>\n"
+      "<text x='{0:g}' y='50' text-anchor='middle'>dot: on the swatch; arrow head: in the "
       "room</text>\n",
-      kSize, kSize / 2, escaped(title));
+      kSize / 2, svg_escaped(title));
   svg += plane.grid();
   for (const ChipArrow& c : chips) svg += arrow(plane, c);
   return svg + "</svg>\n";

@@ -10,6 +10,7 @@
 #include "appearance/spectra/display_colour.h"
 #include "appearance/spectra/illuminants.h"
 #include "appearance/spectra/rgb_to_spectrum.h"
+#include "apps/band_groups.h"
 #include "solver/room_colour.h"
 
 namespace apps {
@@ -35,14 +36,6 @@ MethodColours solve_spectra(const ComparedRoom& compared) {
     colours.sent.push_back(spectra::absolute_xyz({.grid = compared.room.grid, .values = sent}));
   }
   return colours;
-}
-
-/// Neighbouring bands taken as one, all groups as equal as they can be: bands x groups, each column
-/// a mean.
-MatrixXd means_of_groups(Eigen::Index bands, Eigen::Index groups) {
-  MatrixXd mean = MatrixXd::Zero(bands, groups);
-  for (Eigen::Index k = 0; k < bands; ++k) mean(k, (2 * k + 1) * groups / (2 * bands)) = 1;
-  return mean * mean.colwise().sum().cwiseInverse().asDiagonal();
 }
 
 MethodColours solve_groups(const ComparedRoom& compared, int groups) {

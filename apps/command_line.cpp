@@ -240,6 +240,24 @@ void add_room_commands(CLI::App& program, CommandLine& line) {
   add_out(compare.app(), compared->out);
   add_patch_option(compare.app(), compared->options);
   add_error_option(compare.app(), compared->options);
+
+  Subcommand convergence(program, "convergence",
+                         "Error against run time, one factor at a time: methods and tolerances, "
+                         "patch sizes, ray counts, bands: convergence.csv, convergence.svg, "
+                         "iterations.svg, summary.txt",
+                         "scenes/rooms/box.json --out out/convergence");
+  const auto measured = convergence.runs(measure_room, line);
+  convergence.app().add_option("ROOM", measured->room, "room file")->required();
+  add_out(convergence.app(), measured->out);
+  convergence.app()
+      .add_option("--patch-m", measured->options.patch_m,
+                  "longest patch edge of the baseline in m (default: the room's)")
+      ->check(kPositive);
+  convergence.app()
+      .add_option("--seconds", measured->options.seconds,
+                  "after which no further run is started (default 120); by its plan the reference "
+                  "may take half of them on one core")
+      ->check(kPositive);
 }
 
 void add_rank_commands(CLI::App& program, CommandLine& line) {

@@ -25,6 +25,11 @@ struct RoomCommand {
   RoomOptions options;
 };
 
+struct ConvergenceCommand {
+  std::string room, out;
+  ConvergenceOptions options;
+};
+
 struct SolveCommand {
   std::string room, out;
   SolveOptions options;
@@ -68,6 +73,7 @@ Exit check_room(const RoomCommand& command, const Session& session);
 Exit solve_room(const SolveCommand& command, const Session& session);
 Exit shift_room(const RoomCommand& command, const Session& session);
 Exit compare_room(const RoomCommand& command, const Session& session);
+Exit measure_room(const ConvergenceCommand& command, const Session& session);
 Exit rank_room(const RankCommand& command, const Session& session);
 Exit map_atlas(const RankCommand& command, const Session& session);
 Exit mix_room(const MixCommand& command, const Session& session);

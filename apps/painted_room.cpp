@@ -5,6 +5,18 @@
 #include <memory>
 
 namespace apps {
+namespace {
+
+std::vector<spectra::LitRoom> lightings_of(const scenes::Room& room) {
+  if (room.scenarios.empty()) return {{}};
+  std::vector<spectra::LitRoom> lightings;
+  for (const scenes::Scenario& s : room.scenarios) {
+    lightings.push_back({.name = s.name, .weight = s.weight});
+  }
+  return lightings;
+}
+
+}  // namespace
 
 PaintedRoom::PaintedRoom(RoomRun& run, const RankOptions& options, const std::filesystem::path& out,
                          double highest_reflectance)
@@ -36,26 +48,11 @@ void PaintedRoom::need_transport() {
   prepared_ = true;
 }
 
-std::vector<spectra::LitRoom> PaintedRoom::lightings() const {
-  if (run_.room.scenarios.empty()) return {{}};
-  std::vector<spectra::LitRoom> lightings;
-  for (const scenes::Scenario& s : run_.room.scenarios) {
-    lightings.push_back({.name = s.name, .weight = s.weight});
-  }
-  return lightings;
-}
+std::vector<spectra::LitRoom> PaintedRoom::lightings() const { return lightings_of(run_.room); }
 
 std::vector<spectra::LitRoom> PaintedRoom::rooms(
     int varying, int viewed, const std::vector<spectra::Spectrum>& paints) const {
-  const auto response =
-      std::make_shared<const solver::RoomResponse>(views_, varying, viewed, paints);
-  std::vector<spectra::LitRoom> rooms = lightings();
-  for (std::size_t l = 0; l < rooms.size(); ++l) {
-    rooms[l].view = [response, l](const spectra::Spectrum& paint) {
-      return response->light(paint, l);
-    };
-  }
-  return rooms;
+  return lit_rooms(run_.room, views_, varying, viewed, paints);
 }
 
 std::vector<spectra::RoomResponseSlope> PaintedRoom::slopes(
@@ -114,6 +111,20 @@ Json PaintedRoom::record() const {
 std::vector<OutputFile> PaintedRoom::files() const {
   if (loaded_) return {};
   return {response_file(file_, key_, views_)};
+}
+
+std::vector<spectra::LitRoom> lit_rooms(const scenes::Room& room, const solver::ReducedViews& views,
+                                        int varying, int viewed,
+                                        const std::vector<spectra::Spectrum>& paints) {
+  const auto response =
+      std::make_shared<const solver::RoomResponse>(views, varying, viewed, paints);
+  std::vector<spectra::LitRoom> rooms = lightings_of(room);
+  for (std::size_t l = 0; l < rooms.size(); ++l) {
+    rooms[l].view = [response, l](const spectra::Spectrum& paint) {
+      return response->light(paint, l);
+    };
+  }
+  return rooms;
 }
 
 Seen seen_in_room(const appearance::RoomView& view) {

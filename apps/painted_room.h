@@ -21,8 +21,7 @@ class PaintedRoom {
   /// Names and weights of the lightings, without a view.
   [[nodiscard]] std::vector<spectra::LitRoom> lightings() const;
 
-  /// The lightings of the room as the viewer of one group sees them while one group's paint varies.
-  /// @param paints  of each group; that of `varying` is not read; empty for a single group
+  /// lit_rooms() of its response.
   [[nodiscard]] std::vector<spectra::LitRoom> rooms(
       int varying = 0, int viewed = 0, const std::vector<spectra::Spectrum>& paints = {}) const;
 
@@ -56,6 +55,12 @@ class PaintedRoom {
   bool loaded_ = false, prepared_ = false;
   int solves_ = 0, not_converged_ = 0;
 };
+
+/// The lightings of a reduced room as the viewer of one group sees them while one group's paint
+/// varies. @param paints  of each group; that of `varying` is not read; empty for a single group
+[[nodiscard]] std::vector<spectra::LitRoom> lit_rooms(
+    const scenes::Room& room, const solver::ReducedViews& views, int varying = 0, int viewed = 0,
+    const std::vector<spectra::Spectrum>& paints = {});
 
 /// The highest reflectance that a response is made for, unless a paint has a higher one.
 inline constexpr double kHighestReflectance = 0.9995;

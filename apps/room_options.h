@@ -24,6 +24,13 @@ struct SolveOptions {
   bool richardson = false;  ///< extrapolate points to patches of no size
 };
 
+/// How error is measured against run time.
+struct ConvergenceOptions {
+  double patch_m = 0;    ///< of the baseline; 0: the room's own
+  double seconds = 120;  ///< after which nothing more is started; the reference may take half of
+                         ///< them, by its plan
+};
+
 /// How the paints of an atlas are ranked in a room.
 struct RankOptions {
   RoomOptions room;

@@ -226,7 +226,9 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   t.seconds["plan"] = watch.lap();
 
   const std::vector<bool> lamp = lamp_patches(room, t.mesh);
-  t.exchange = compute_exchange(t.mesh, visibility, {.lamp = lamp, .skip = options.skip});
+  t.exchange = compute_exchange(
+      t.mesh, visibility,
+      {.lamp = lamp, .rays = options.rays, .lamp_rays = options.lamp_rays, .skip = options.skip});
   t.closure_defect = t.exchange.closure_defect;
   t.reciprocity_defect = t.exchange.reciprocity_defect;
   t.largest_scaling = t.exchange.largest_scaling;
@@ -244,7 +246,8 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   for (std::size_t s = 0; s < room.scenarios.size(); ++s) {
     t.lightings[s + 1].name = room.scenarios[s].name;
   }
-  const GatherOptions gather{.lamp = lamp, .lamp_error = options.visibility_error};
+  const GatherOptions gather{
+      .lamp = lamp, .lamp_error = options.visibility_error, .rays = options.rays};
   const auto row = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     ReceiverRow r{.gather = gather_at_point(point, normal, t.mesh, facets, visibility, gather)};
     for (const scenes::Room& l : lit) {

@@ -58,9 +58,11 @@ class TooLarge : public std::runtime_error {
 };
 
 struct TransportOptions {
-  double patch_m = 0;                   ///< 0: the room's own
-  std::vector<ViewedPoint> views;       ///< empty: the viewed point of each painted group
-  double visibility_error = 1e-3;       ///< aimed at for the visible share of lamps at receivers
+  double patch_m = 0;              ///< 0: the room's own
+  std::vector<ViewedPoint> views;  ///< empty: the viewed point of each painted group
+  double visibility_error = 1e-3;  ///< aimed at for the visible share of lamps at receivers
+  int rays = 64;        ///< for a pair, or a receiver and a patch, if the first 16 disagree
+  int lamp_rays = 256;  ///< for a pair with a lamp
   std::int64_t memory_limit_bytes = 0;  ///< 0: what the machine has free
   bool skip = true;                     ///< leave out what the scene does not need
 };

@@ -1,0 +1,26 @@
+#include "apps/convergence_log.h"
+
+#include <chrono>
+
+namespace apps {
+namespace {
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+ConvergenceLog::ConvergenceLog(double seconds) : end_s_(now_s() + seconds) {}
+
+void ConvergenceLog::leave_out(const std::string& what, const std::string& why) {
+  result_.left_out.push_back({.what = what, .why = why});
+}
+
+bool ConvergenceLog::may_start(const std::string& what, double needed_s) {
+  if (now_s() + needed_s < end_s_) return true;
+  leave_out(what, "the time is over; give more with --seconds");
+  return false;
+}
+
+}  // namespace apps
