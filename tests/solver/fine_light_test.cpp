@@ -80,7 +80,7 @@ TEST(FineLight, LampsInABlackRoomAgreeWithExchangeAreas) {
   const FineLight fine = fine_light_of(room, 1.5, 0.5, {.rays = 8});
   const RoomSolution full = solve_room(room, prepare_transport(room, {.patch_m = 0.5}));
   EXPECT_LT(deviations(fine, full).maxCoeff(), 1e-6);
-  EXPECT_EQ(fine.largest_standard_error, 0);
+  EXPECT_LT(fine.largest_standard_error, 1e-12);
 }
 
 struct Case {
@@ -139,8 +139,8 @@ TEST(FineLight, SameBitsForOneAndTwoThreads) {
 
 // Sun and point lights reach the fine patches themselves, not by way of coarse ones.
 TEST(FineLight, FirstShotIsThatOfTheFinePatches) {
-  scenes::Room room = sample_room("daylight");
-  ASSERT_FALSE(room.suns.empty());
+  scenes::Room room = sample_room("l_room");
+  ASSERT_FALSE(room.suns.empty() && room.point_lights.empty());
   for (scenes::Surface& s : room.surfaces) {
     s.reflectance.values.setZero();
     s.exitance.values.setZero();
