@@ -93,7 +93,8 @@ Json finished_record(const BatchRoom& room, const Json& identity) {
 void run_room(BatchRoom& room, const RankOptions& options, const Session& session) {
   room.outcome = guarded([&] {
     const bool rank = wants_rank(room.room);
-    const Json options_record = rank ? to_json(options) : to_json(SolveOptions{.room = options.room});
+    const Json options_record =
+        rank ? to_json(options) : to_json(SolveOptions{.room = options.room});
     const Json identity = run_identity(rank ? "rank" : "solve", room.room, options_record);
     room.record = finished_record(room, identity);
     if (!room.record.is_null()) {
