@@ -2,53 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>  // seconds of compile time: included here and nowhere else
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <thread>
 
 #include "appearance/spectra/bilinear.h"
+#include "apps/option_checks.h"
 
 namespace apps {
 namespace {
-
-/// Unlike CLI::PositiveNumber, refuses nan and infinity too.
-const CLI::Validator kPositive(
-    [](const std::string& text) {
-      double value = 0;
-      const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0;
-      return good ? std::string() : text + " is no number above 0";
-    },
-    "ABOVE 0");
-
-const CLI::Validator kNotNegative(
-    [](const std::string& text) {
-      double value = 0;
-      const bool good =
-          CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0;
-      return good ? std::string() : text + " is no number from 0";
-    },
-    "FROM 0");
-
-/// 0 to below 1, as a share of light.
-const CLI::Validator kShare(
-    [](const std::string& text) {
-      double value = 0;
-      const bool good = CLI::detail::lexical_cast(text, value) && value >= 0 && value < 1;
-      return good ? std::string() : text + " is no number from 0 to below 1";
-    },
-    "SHARE");
-
-/// A step that divides 100 parts.
-const CLI::Validator kStep(
-    [](const std::string& text) {
-      double value = 0;
-      const bool number = CLI::detail::lexical_cast(text, value) && value >= 0.01 && value <= 100;
-      const bool good = number && std::abs(100 / value - std::round(100 / value)) < 1e-9;
-      return good ? std::string() : text + " does not divide 100 parts, or is below 0.01";
-    },
-    "PARTS");
 
 void add_patch_option(CLI::App& command, RoomOptions& options) {
   command.add_option("--patch-m", options.patch_m, "longest patch edge in m (default: the room's)")

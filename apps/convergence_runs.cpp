@@ -144,8 +144,9 @@ bool Experiment::affordable_reference(double factor) const {
   const double patches = run_.transport.mesh.size() / (factor * factor);
   if (patches > kMostReferencePatches) return false;
   const solver::Plan plan = solver::make_plan(run_.room, {.patch_m = factor * baseline_m_});
+  const double rounds = wish_.task ? 2 : 1;  // a ranking costs about as much again
   return plan.fine.patch_m == 0 && plan.memory_bytes < solver::available_memory_bytes() / 2 &&
-         plan.expected_seconds < options_.seconds / 2;
+         rounds * plan.expected_seconds < options_.seconds / 2;
 }
 
 /// Two refinements finer than the baseline, or as fine as can be afforded.
@@ -191,7 +192,8 @@ void Experiment::add_tolerances(const SolverMethod& method) {
   double last_s = 0;
   for (const double tolerance : tolerances) {
     const std::string setting = method.iterates ? fmt::format("{:g}", tolerance) : "";
-    if (!log_.may_start(fmt::format("{} {}", method.name, setting), 2 * last_s)) continue;
+    if (!log_.may_start(setting.empty() ? method.name : method.name + " " + setting, 2 * last_s))
+      continue;
     ConvergenceRun run = baseline_run("method", setting);
     run.method = method.name;
     run.relative_error = tolerance;
