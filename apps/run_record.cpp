@@ -118,6 +118,7 @@ Json describe(const solver::RoomTransport& transport) {
           {"closure_defect", transport.closure_defect},
           {"reciprocity_defect", transport.reciprocity_defect},
           {"largest_scaling", transport.largest_scaling},
+          {"largest_self_view", transport.exchange.largest_self_view},
           {"direct_light_scaling", transport.lightings.front().direct_scaling}};
 }
 
