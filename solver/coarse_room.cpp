@@ -18,6 +18,9 @@ using Eigen::MatrixXd;
 constexpr double kUsualClusters = 64;
 constexpr std::size_t kMostClusters = 256;  ///< factoring them costs less than a sweep or two
 
+/// Where a bounce leaves less of the light, plain iterations are as fast in total.
+constexpr double kLongLived = 0.95;
+
 /// Sums of the patches' rows over each cluster.
 Bands summed(const std::vector<int>& cluster, Index clusters, const Bands& rows) {
   Bands sum = Bands::Zero(clusters, rows.cols());
@@ -64,7 +67,7 @@ MatrixXd exchange_between(const std::vector<int>& cluster, const ExchangeAreas& 
 }
 
 CoarseRoom::CoarseRoom(const RadiositySystem& system) : exchange_(system.exchange) {
-  if (cluster().empty()) return;
+  if (cluster().empty() || system.contraction.maxCoeff() < kLongLived) return;
   const Bands& reflectance = system.reflector.numbers();
   area_m2_ = summed(cluster(), clusters(), exchange_.area_m2).col(0);
   const Bands reflecting_m2 =

@@ -26,7 +26,7 @@ class CoarseRoom {
  public:
   explicit CoarseRoom(const RadiositySystem& system);
 
-  /// No clusters: the corrections below are none.
+  /// No clusters, or light that fades fast enough without.
   [[nodiscard]] bool empty() const { return inverse_.empty(); }
 
   [[nodiscard]] const std::vector<int>& cluster() const { return exchange_.cluster; }
