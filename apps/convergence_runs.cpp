@@ -194,7 +194,8 @@ void Experiment::add_tolerances(const SolverMethod& method) {
   double last_s = 0;
   for (const double tolerance : tolerances) {
     const std::string setting = method.iterates ? fmt::format("{:g}", tolerance) : "";
-    if (!log_.may_start(fmt::format("{} {}", method.name, setting), 2 * last_s)) continue;
+    if (!log_.may_start(setting.empty() ? method.name : method.name + " " + setting, 2 * last_s))
+      continue;
     ConvergenceRun run = baseline_run("method", setting);
     run.method = method.name;
     run.relative_error = tolerance;
@@ -354,6 +355,10 @@ Convergence Experiment::measure() {
   make_baseline();
   make_reference();
   run_.clock.stop("reference");
+  // The runs have the other half, however long the reference really took.
+  ConvergenceLog runs(options_.seconds / 2);
+  runs.result() = std::move(log_.result());
+  log_ = std::move(runs);
   if (!wish_.task) log_.leave_out("rankings", wish_.why_not);
   log_.leave_out(
       "rankings by method and tolerance",

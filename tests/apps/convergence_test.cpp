@@ -137,7 +137,7 @@ TEST(Convergence, RefusedInputsLeaveNothingBehind) {
 TEST(Convergence, AShortTimeLeavesRunsOutAndSaysSo) {
   const TemporaryFolder folder;
   write_text(folder / "room.json", grey_room(false).dump());
-  const ProgramRun run = roomhue("convergence --seconds 1e-3 " + (folder / "room.json").string() +
+  const ProgramRun run = roomhue("convergence --seconds 1e-9 " + (folder / "room.json").string() +
                                  " --out " + (folder / "out").string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(runs_in(folder / "out").size(), 1U);
