@@ -217,8 +217,8 @@ void add_room_commands(CLI::App& program, CommandLine& line) {
       ->check(kPositive);
   convergence.app()
       .add_option("--seconds", measured->options.seconds,
-                  "after which no further run is started (default 120); by its plan the reference "
-                  "may take half of them on one core")
+                  "time to be spent (default 120): half for the reference, as planned for one "
+                  "core, half for the runs")
       ->check(kPositive);
 }
 

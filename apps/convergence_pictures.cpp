@@ -147,12 +147,14 @@ std::string iterations_picture(const Convergence& convergence) {
       .x_label = "1 - rho of all surfaces",
       .y_label = "relative error of mean irradiance",
       .lines = line_of([](const ConvergenceRun& run) { return visible(run.errors.max_relative); })};
-  return chart_page("Bright rooms: " + convergence.room, {iterations, errors},
-                    {"Reference: the closed form of mean irradiance, flux / (A (1 - rho)). One "
-                     "band, a coarse mesh.",
-                     fmt::format("Hollow: stopped before the tolerance was proven. Errors below "
-                                 "{:g} are drawn there.",
-                                 kSmallest)});
+  return chart_page(
+      "Bright rooms: " + convergence.room, {iterations, errors},
+      {"Reference: the closed form of mean irradiance, flux / (A (1 - rho)). One "
+       "band, a coarse mesh.",
+       fmt::format("Hollow: stopped before the tolerance was proven. Errors below "
+                   "{:g} are drawn there. Points that are missing would take too long; "
+                   "summary.txt names them.",
+                   kSmallest)});
 }
 
 }  // namespace apps

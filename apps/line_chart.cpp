@@ -86,7 +86,7 @@ class LogAxis {
  private:
   /// The next of 1, 2, 5, 10, ... below (way < 0) or above, as a logarithm, a little apart.
   static double snapped(double value, int way) {
-    const double wide = value * std::pow(1.05, way), decade = std::floor(std::log10(wide));
+    const double wide = value * std::pow(1.15, way), decade = std::floor(std::log10(wide));
     const double mantissa = wide / std::pow(10, decade);
     if (way < 0) return decade + std::log10(mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
     return decade + std::log10(mantissa <= 2 ? 2 : mantissa <= 5 ? 5 : 10);
@@ -195,7 +195,7 @@ std::string chart_page(const std::string& title, const std::vector<Chart>& chart
   }
   const double width = kPanel * static_cast<double>(charts.size());
   const double legend = kTop + kPlotHeight + kLegendTop;
-  const double below = legend + kLegendRow * static_cast<double>(legend_rows);
+  const double below = legend + kLegendRow * static_cast<double>(legend_rows) + 10;
   std::string svg = svg_head(width, below + kNoteRow * static_cast<double>(notes.size()) + 15);
   svg += fmt::format("<text x='{}' y='36' text-anchor='middle' font-size='20'>{}</text>\n",
                      width / 2, svg_escaped(title));
