@@ -279,16 +279,18 @@ void Experiment::add_band_groups(int groups, const RoomAnswer& judge,
   const PreparedRoom narrow = with_bands({run_.room, run_.transport}, mean);
   note_solution(run, timed([&] { return solver::solve_room(narrow.room, narrow.transport); }));
 
-  const auto& [room, transport] = with_bands({run_.room, run_.transport}, steps);
-  RoomAnswer found = answer(room, transport, solver::solve_room(room, transport));
+  const PreparedRoom wide = with_bands({run_.room, run_.transport}, steps);
+  RoomAnswer found =
+      answer(wide.room, wide.transport, solver::solve_room(wide.room, wide.transport));
   if (wish_.task) {
     RankingTask task = *wish_.task;
     for (paints::Paint& paint : task.atlas.paints) {
       paint.reflectance.values = steps.transpose() * paint.reflectance.values.matrix();
     }
-    found.paint_distance = seeing(run_, [&] { return paint_distances(room, transport, task); });
+    found.paint_distance =
+        seeing(run_, [&] { return paint_distances(wide.room, wide.transport, task); });
   }
-  run.errors = run.own = errors_of(in_tristimulus_values(found, room.grid), judge);
+  run.errors = run.own = errors_of(in_tristimulus_values(found, wide.room.grid), judge);
   log_.add(std::move(run));
 }
 
