@@ -63,6 +63,7 @@ bool study_mesh(const scenes::Room& room, const TransportOptions& transport,
   const auto solved_with = [&](double factor) {
     TransportOptions longer = transport;
     longer.patch_m = factor * patch_m;
+    longer.eye = false;
     return solve_room(room, prepare_transport(room, longer), radiosity,
                       {.lighting = solution.lighting});
   };

@@ -261,9 +261,10 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
     t.receivers[k] = row(r.at_m, r.normal.normalized());
   });
   for (const ViewedPoint& at : options.views.empty() ? default_views(room) : options.views) {
-    t.viewed.push_back({.at = at,
-                        .row = row(at.point_m, at.normal),
-                        .view = view_rows(at.eye_m, at.point_m, t.mesh)});
+    t.viewed.push_back(
+        {.at = at,
+         .row = row(at.point_m, at.normal),
+         .view = options.eye ? view_rows(at.eye_m, at.point_m, t.mesh) : ViewRows{}});
   }
   t.seconds["gather"] = watch.lap();
   return t;

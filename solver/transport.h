@@ -65,6 +65,8 @@ struct TransportOptions {
   int lamp_rays = 256;  ///< for a pair with a lamp
   std::int64_t memory_limit_bytes = 0;  ///< 0: what the machine has free
   bool skip = true;                     ///< leave out what the scene does not need
+  /// False: of viewed points the irradiance alone, not what else the eye takes in.
+  bool eye = true;
 };
 
 /// A point where light is read, and how.
