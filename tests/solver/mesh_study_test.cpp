@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <map>
-#include <sstream>
 #include <string>
 
 #include "scenes/room_json.h"
+#include "tests/solver/box_reference.h"
 
 namespace solver {
 namespace {
@@ -15,28 +13,6 @@ namespace {
 using Eigen::ArrayXd;
 
 scenes::Room box() { return scenes::read_room(SOURCE_DIR "/scenes/rooms/box.json"); }
-
-/// Irradiance at the receivers of the box, from tests/support/box_reference.cpp.
-std::map<std::string, ArrayXd> box_reference(const scenes::Room& room) {
-  const ArrayXd wall = room.surfaces[2].reflectance.values;
-  const ArrayXd exitance = room.surfaces.back().exitance.values;
-  std::map<std::string, ArrayXd> exact;
-  std::ifstream file(TEST_DATA "/box_reference.csv");
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream cells(line);
-    std::string receiver, kind, m, coefficient;
-    std::getline(cells, receiver, ',');
-    std::getline(cells, kind, ',');
-    std::getline(cells, m, ',');
-    std::getline(cells, coefficient, ',');
-    if (kind != "walls") continue;
-    ArrayXd& sum = exact.try_emplace(receiver, ArrayXd::Zero(wall.size())).first->second;
-    sum += std::stod(coefficient) * wall.pow(std::stod(m)) * exitance;
-  }
-  return exact;
-}
 
 /// Of the strongest band, as bars are given.
 double true_error(const ReceiverLight& light, const ArrayXd& exact) {
@@ -50,7 +26,7 @@ struct Bar {
 /// Of each receiver of the box.
 std::vector<Bar> bars(double patch_m) {
   const scenes::Room room = box();
-  const auto exact = box_reference(room);
+  const auto exact = salmon_box(room);
   const RoomSolution solution = solve_room(room, prepare_transport(room, {.patch_m = patch_m}));
   RoomSolution told = solution, moved = solution;
   EXPECT_TRUE(study_mesh(room, {}, {}, patch_m, false, told));
@@ -87,7 +63,7 @@ TEST(MeshStudy, TellsNothingOfAMeshThatCannotBeCoarser) {
 
 TEST(Tolerance, IsMetAndSaysHow) {
   const scenes::Room room = box();
-  const auto exact = box_reference(room);
+  const auto exact = salmon_box(room);
   const ToleranceSolution chosen = solve_to_tolerance(room, 0.01, {}, {});
   EXPECT_TRUE(chosen.reached);
   EXPECT_GT(chosen.steps.size(), 1);
