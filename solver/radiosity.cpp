@@ -8,6 +8,7 @@
 
 #include "solver/far_field.h"
 #include "solver/radiosity_methods.h"
+#include "solver/repeated_bands.h"
 
 namespace solver {
 namespace {
@@ -54,45 +55,8 @@ std::vector<Index> lit_bands(const Bands& emission, const Bands& direct, const R
   return lit;
 }
 
-/// A band whose solution is that of another one times a factor.
-struct Repeat {
-  Index band, of;
-  double factor;
-};
-
-/// b = factor a, up to the rounding of one product.
-bool proportional(const Bands& values, Index b, Index a, double factor) {
-  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
-  return ((values.col(b) - factor * values.col(a)).abs() <= kRounding * values.col(b).abs()).all();
-}
-
-/// Takes from `lit` the bands with the reflectances of an earlier one and its light times a factor.
-std::vector<Repeat> take_repeats(const Bands& emission, const Bands& direct,
-                                 const Reflector& reflector, std::vector<Index>& lit) {
-  std::vector<Repeat> repeats;
-  if (reflector.couples_bands()) return repeats;
-  const Bands& rho = reflector.numbers();
-  std::vector<Index> kept;
-  for (const Index b : lit) {
-    const double light = emission.col(b).sum() + direct.col(b).sum();
-    const auto same = std::ranges::find_if(kept, [&](Index a) {
-      const double factor = light / (emission.col(a).sum() + direct.col(a).sum());
-      return std::isfinite(factor) && (rho.col(a) == rho.col(b)).all() &&
-             proportional(emission, b, a, factor) && proportional(direct, b, a, factor);
-    });
-    if (same == kept.end()) {
-      kept.push_back(b);
-    } else {
-      const Index a = *same;
-      repeats.push_back({b, a, light / (emission.col(a).sum() + direct.col(a).sum())});
-    }
-  }
-  lit = kept;
-  return repeats;
-}
-
 /// The solution of a band, times the factor.
-void repeat(RadiositySolution& solution, const Repeat& r) {
+void repeat(RadiositySolution& solution, const RepeatedBand& r) {
   solution.radiosity.col(r.band) = r.factor * solution.radiosity.col(r.of);
   solution.irradiance.col(r.band) = r.factor * solution.irradiance.col(r.of);
   BandReport report = solution.bands[static_cast<std::size_t>(r.of)];
@@ -250,8 +214,12 @@ RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& em
       .method = method_for(reflector, options.method),
       .converged = true};
   std::vector<Index> lit = lit_bands(emission, direct, reflector, options.skip);
-  const std::vector<Repeat> repeats =
-      options.skip ? take_repeats(emission, direct, reflector, lit) : std::vector<Repeat>();
+  std::vector<RepeatedBand> repeats;
+  if (options.skip && !reflector.couples_bands()) {
+    Bands light(2 * emission.rows(), emission.cols());
+    light << emission, direct;
+    repeats = take_repeated_bands(light, reflector.numbers(), lit);
+  }
   if (lit.empty()) return solution;
 
   RadiositySystem system{.exchange = exchange,
@@ -270,7 +238,7 @@ RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& em
   chosen.method = solution.method;
   const MethodResult result = run(system, chosen);
   put(result, system, lit, solution);
-  for (const Repeat& r : repeats) repeat(solution, r);
+  for (const RepeatedBand& r : repeats) repeat(solution, r);
   solution.converged = result.certificate.converged() && exchange.closure_defect <= kClosed;
   return solution;
 }

@@ -11,6 +11,7 @@
 
 #include "solver/direct_light.h"
 #include "solver/mesh_choice.h"
+#include "solver/repeated_bands.h"
 
 namespace solver {
 namespace {
@@ -54,44 +55,38 @@ Bands emission_of(const scenes::Room& room, const scenes::PatchMesh& mesh) {
   return emission;
 }
 
-/// Every spectrum that shines, a column each.
-Eigen::ArrayXXd lights_of(const scenes::Room& room) {
+/// Every spectrum that shines, a row each.
+Bands lights_of(const scenes::Room& room) {
   std::vector<const spectra::Spectrum*> all;
   for (const scenes::Surface& s : room.surfaces) all.push_back(&s.exitance);
   for (const scenes::PointLight& p : room.point_lights) all.push_back(&p.spectral_flux);
   for (const scenes::Sun& s : room.suns) all.push_back(&s.normal_irradiance);
-  Eigen::ArrayXXd lights(room.grid.count, static_cast<Eigen::Index>(all.size()));
+  Bands lights(static_cast<Eigen::Index>(all.size()), room.grid.count);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    lights.col(static_cast<Eigen::Index>(k)) = all[k]->values;
+    lights.row(static_cast<Eigen::Index>(k)) = all[k]->values.transpose();
   }
   return lights;
 }
 
-/// Bands in which anything shines, and of those the ones that do not repeat an earlier one: its
-/// reflectances, its light times a factor.
+/// Bands in which anything shines, and of those the ones that do not repeat an earlier one.
 struct BandCounts {
   int lit = 0, distinct = 0;
 };
 
 BandCounts count_bands(const scenes::Room& room) {
-  const Eigen::ArrayXXd lights = lights_of(room);
-  std::vector<Eigen::Index> distinct;
-  BandCounts counts;
-  for (Eigen::Index b = 0; b < lights.rows(); ++b) {
-    if (!(lights.row(b) > 0).any()) continue;
-    ++counts.lit;
-    const auto repeats = [&](Eigen::Index a) {
-      const double factor = lights.row(b).sum() / lights.row(a).sum();
-      const bool reflect_alike = std::ranges::all_of(room.surfaces, [&](const scenes::Surface& s) {
-        return s.reflectance.values[a] == s.reflectance.values[b];
-      });
-      return reflect_alike &&
-             ((lights.row(b) - factor * lights.row(a)).abs() <= 1e-15 * lights.row(b).abs()).all();
-    };
-    if (std::ranges::none_of(distinct, repeats)) distinct.push_back(b);
+  const Bands lights = lights_of(room);
+  Bands reflectances(static_cast<Eigen::Index>(room.surfaces.size()), room.grid.count);
+  for (std::size_t s = 0; s < room.surfaces.size(); ++s) {
+    reflectances.row(static_cast<Eigen::Index>(s)) =
+        room.surfaces[s].reflectance.values.transpose();
   }
-  counts.distinct = static_cast<int>(distinct.size());
-  return counts;
+  std::vector<Eigen::Index> bands;
+  for (Eigen::Index b = 0; b < lights.cols(); ++b) {
+    if ((lights.col(b) > 0).any()) bands.push_back(b);
+  }
+  const auto lit = static_cast<int>(bands.size());
+  const auto repeats = static_cast<int>(take_repeated_bands(lights, reflectances, bands).size());
+  return {.lit = lit, .distinct = lit - repeats};
 }
 
 /// The room under each of its lightings: all lights as they are, then the scenarios.

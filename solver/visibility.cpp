@@ -51,6 +51,10 @@ struct WeightedShare {
   }
 };
 
+Points16 sixteen_times(const Eigen::Vector3f& p) {
+  return p.transpose().array().replicate<kPacket, 1>();
+}
+
 /// cos cos / r^2 / r^2 of 16 segments.
 Samples16 kernels(const Points16& from, const Vector3d& normal_from, const Points16& to,
                   const Vector3d& normal_to) {
@@ -250,7 +254,7 @@ VisibleShare Visibility::from_point(const Vector3d& point, const Vector3d& norma
   const Sequence4 sequence(seed);
   const Front front(facet, Plane{normal, normal.dot(point)});
   WeightedShare sum;
-  const Points16 from = scene_->local(point).transpose().array().replicate<kPacket, 1>();
+  const Points16 from = sixteen_times(scene_->local(point));
   for (int target = 4 * kPacket; target <= most_rays; target *= 2) {
     while (sum.count < target) {
       const Points16 to = front.points(*scene_, sequence, sum.count, 0);
@@ -285,10 +289,7 @@ VisibleShare Visibility::towards(const Facet& facet, std::uint64_t seed, int ray
 
 bool Visibility::open_segment(const Vector3d& from, const Vector3d& to) const {
   if (unobstructed()) return true;
-  const auto sixteen = [&](const Vector3d& p) -> Points16 {
-    return scene_->local(p).transpose().array().replicate<kPacket, 1>();
-  };
-  return blocked16(sixteen(from), sixteen(to), 1) == 0;
+  return blocked16(sixteen_times(scene_->local(from)), sixteen_times(scene_->local(to)), 1) == 0;
 }
 
 }  // namespace solver
