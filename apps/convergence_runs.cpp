@@ -167,7 +167,6 @@ void Experiment::make_reference() {
   options.patch_m = reference_m_;
   options.rays *= 2;
   options.lamp_rays *= 2;
-  options.visibility_error /= 2;
   const RoomTransport fine = solver::prepare_transport(run_.room, options);
   reference_ = answer(run_.room, fine, solver::solve_room(run_.room, fine, tight()));
   rank(reference_, run_.room, fine);

@@ -35,17 +35,14 @@ double illuminance_lx(const SolutionColumns& columns, const solver::ReceiverLigh
 std::string receivers_csv(const scenes::Room& room, const SolutionColumns& columns,
                           const solver::RoomSolution& solution) {
   CsvText csv("receiver,x_m,y_m,z_m,illuminance_lx" + band_names(columns, 'E') +
-              ",solver_error_bound,visibility_error,mesh_error");
+              ",solver_error_bound,mesh_error");
   for (std::size_t i = 0; i < room.receivers.size(); ++i) {
     const solver::ReceiverLight& light = solution.receivers[i];
     csv.cell(room.receivers[i].name);
     point_cells(csv, room.receivers[i].at_m);
     csv.cell(illuminance_lx(columns, light));
     for (const double band : light.irradiance) csv.cell(band);
-    csv.cell(finite(light.solver_error_bound))
-        .cell(light.visibility_error)
-        .cell(light.mesh_error)
-        .end_row();
+    csv.cell(finite(light.solver_error_bound)).cell(light.mesh_error).end_row();
   }
   return csv.take();
 }

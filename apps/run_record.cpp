@@ -142,7 +142,6 @@ Json describe(const solver::RoomSolution& solution, const scenes::Room& room,
   for (std::size_t i = 0; i < solution.receivers.size(); ++i) {
     receivers.push_back({{"name", room.receivers[i].name},
                          {"solver_error_bound", solution.receivers[i].solver_error_bound},
-                         {"visibility_error", solution.receivers[i].visibility_error},
                          {"mesh_error", to_json(solution.receivers[i].mesh_error)}});
   }
   return {{"converged", solution.radiosity.converged},

@@ -14,11 +14,10 @@
 namespace apps {
 namespace {
 
-/// Of mesh, sampled visibility and solver, in the strongest band.
+/// Of mesh and solver, in the strongest band.
 std::string error_text(const solver::ReceiverLight& light) {
   if (!light.mesh_error) return "";
-  return fmt::format("{:.3f} %",
-                     100 * (*light.mesh_error + light.visibility_error + light.solver_error_bound));
+  return fmt::format("{:.3f} %", 100 * (*light.mesh_error + light.solver_error_bound));
 }
 
 std::string receiver_table(const scenes::Room& room, const SolutionColumns& columns,
@@ -146,13 +145,11 @@ Json tolerance_record(const solver::ToleranceSolution& chosen, double tolerance)
     steps.push_back({{"patch_m", patch_m},
                      {"patches", patches},
                      {"mesh_error", error.mesh},
-                     {"visibility_error", error.visibility},
                      {"solver_error_bound", error.solver}});
   }
   return {{"asked", tolerance},
           {"reached", chosen.reached},
           {"relative_error", chosen.relative_error},
-          {"visibility_error", chosen.visibility_error},
           {"meshes", steps}};
 }
 

@@ -16,32 +16,29 @@ using Eigen::ArrayXd;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr int kShadowRays = 1024;
-
 /// The sun through one opening: a prism of parallel light.
 struct Beam {
   int surface = 0;  ///< the opening
   Vector3d to_sun;
   Plane opening;             ///< front: into the room
   std::vector<Plane> sides;  ///< the prism is in front of all
+  Shadows shadows;           ///< of what is on the room's side of the opening
   ArrayXd normal_irradiance;
-
-  /// Where the line from p towards the sun leaves through the opening.
-  [[nodiscard]] Vector3d exit_point(const Vector3d& p) const {
-    return p - opening.height_m(p) / opening.normal.dot(to_sun) * to_sun;
-  }
 };
 
-std::vector<Beam> beams(const scenes::Room& room) {
+std::vector<Beam> beams(const scenes::Room& room, const std::vector<Blocker>& blockers) {
   std::vector<Beam> all;
   for (const scenes::Sun& sun : room.suns) {
     for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
       const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
       if (surface.kind != scenes::SurfaceKind::opening) continue;
       const Facet glass = make_facet(scenes::rectangle_of(room, s));
-      Beam beam{.surface = s, .to_sun = towards_sun(sun), .opening = glass.plane()};
-      const double cosine = -glass.normal.dot(beam.to_sun);
-      if (cosine <= 1e-9) continue;  // the sun is behind the wall
+      const Vector3d to_sun = towards_sun(sun);
+      if (-glass.normal.dot(to_sun) <= 1e-9) continue;  // the sun is behind the wall
+      Beam beam{.surface = s,
+                .to_sun = to_sun,
+                .opening = glass.plane(),
+                .shadows = {in_front_of(blockers, glass.plane()), from_direction(to_sun)}};
       for (std::size_t k = 0; k < glass.vertices.size(); ++k) {
         const Vector3d& a = glass.vertices[k];
         const Vector3d edge = glass.vertices[(k + 1) % glass.vertices.size()] - a;
@@ -59,8 +56,7 @@ std::vector<Beam> beams(const scenes::Room& room) {
 }
 
 /// Area times cosine of the part of a facet that a beam lights, m^2.
-double lit_area_m2(const Facet& facet, const Beam& beam, const Visibility& visibility,
-                   std::uint64_t seed) {
+double lit_area_m2(const Facet& facet, const Beam& beam) {
   const double cosine = facet.normal.dot(beam.to_sun);
   if (cosine <= 1e-12) return 0;
   std::vector<Vector3d> lit = clip(facet.vertices, beam.opening);
@@ -68,12 +64,11 @@ double lit_area_m2(const Facet& facet, const Beam& beam, const Visibility& visib
     if (!lit.empty()) lit = clip(lit, side);
   }
   if (lit.empty()) return 0;
-  const Facet part = make_facet(std::move(lit));
-  if (!(part.area_m2 > 0)) return 0;
-  const VisibleShare open = visibility.towards(part, seed, kShadowRays, [&](const Vector3d& p) {
-    return Visibility::Target{beam.exit_point(p), 1};
-  });
-  return part.area_m2 * cosine * open.share;
+  double area_m2 = 0;
+  for (std::vector<Vector3d>& part : beam.shadows.lit_parts(lit)) {
+    area_m2 += make_facet(std::move(part)).area_m2;
+  }
+  return area_m2 * cosine;
 }
 
 /// Adds shares of a source's flux, scaled to sum to `whole`, as irradiance.
@@ -113,23 +108,22 @@ DirectLight direct_light_on_patches(const scenes::Room& room, const scenes::Patc
   const auto n = static_cast<Eigen::Index>(facets.size());
   DirectLight light{.irradiance = Bands::Zero(n, room.grid.count)};
   for (const scenes::PointLight& lamp : room.point_lights) {
+    const Shadows shadows(visibility.blockers(), from_point(lamp.at_m));
     ArrayXd angle = ArrayXd::Zero(n);
     tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
       const Facet& facet = facets[i];
       if (facet.plane().height_m(lamp.at_m) <= 0) return;
-      const VisibleShare open = visibility.towards(facet, i, kShadowRays, [&](const Vector3d& p) {
-        const Vector3d r = lamp.at_m - p;
-        return Visibility::Target{lamp.at_m, facet.normal.dot(r) / std::pow(r.norm(), 3)};
-      });
-      angle[static_cast<Eigen::Index>(i)] = solid_angle(lamp.at_m, facet.vertices) * open.share;
+      for (const auto& part : shadows.lit_parts(facet.vertices)) {
+        angle[static_cast<Eigen::Index>(i)] += solid_angle(lamp.at_m, part);
+      }
     });
     spread(angle, 4 * pi, lamp.spectral_flux.values / (4 * pi), facets, light);
   }
-  for (const Beam& beam : beams(room)) {
+  for (const Beam& beam : beams(room, visibility.blockers())) {
     ArrayXd lit = ArrayXd::Zero(n);
     double open_area_m2 = 0;  // of the opening's patches: furniture may cover a part
     tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
-      lit[static_cast<Eigen::Index>(i)] = lit_area_m2(facets[i], beam, visibility, i);
+      lit[static_cast<Eigen::Index>(i)] = lit_area_m2(facets[i], beam);
     });
     for (std::size_t i = 0; i < facets.size(); ++i) {
       if (mesh.surface[i] == beam.surface) open_area_m2 += facets[i].area_m2;
@@ -146,16 +140,18 @@ ArrayXd direct_light_at_point(const scenes::Room& room, const Vector3d& point,
   for (const scenes::PointLight& lamp : room.point_lights) {
     const Vector3d r = lamp.at_m - point;
     const double cosine_over_square = normal.dot(r) / std::pow(r.norm(), 3);
-    if (cosine_over_square > 0 && visibility.open_segment(point, lamp.at_m)) {
+    if (cosine_over_square <= 0) continue;
+    const Shadows shadows(visibility.blockers(), from_point(lamp.at_m));
+    if (!shadows.contain(point)) {
       irradiance += lamp.spectral_flux.values / (4 * pi) * cosine_over_square;
     }
   }
-  for (const Beam& beam : beams(room)) {
+  for (const Beam& beam : beams(room, visibility.blockers())) {
     const double cosine = normal.dot(beam.to_sun);
     const bool in_prism = beam.opening.height_m(point) > 0 &&
                           std::all_of(beam.sides.begin(), beam.sides.end(),
                                       [&](const Plane& side) { return side.height_m(point) >= 0; });
-    if (cosine > 0 && in_prism && visibility.open_segment(point, beam.exit_point(point))) {
+    if (cosine > 0 && in_prism && !beam.shadows.contain(point)) {
       irradiance += beam.normal_irradiance * cosine;
     }
   }

@@ -12,8 +12,8 @@ namespace solver {
 /// Light from sources that are no patches, the paper's "first shot" [Neumann2004] 4.2: point lights
 /// and the sun through openings.
 
-/// Area means over the patches, patch x band. Solid angles and lit polygons are exact; what
-/// furniture hides is sampled, and each source is then scaled so that all its flux arrives in the
+/// Area means over the patches, patch x band. Solid angles, lit polygons and shadows are
+/// exact; each source is then scaled, by what rounding leaves, so that all its flux arrives in the
 /// closed room.
 struct DirectLight {
   Bands irradiance;

@@ -79,6 +79,15 @@ std::vector<Vector3d> clip(const std::vector<Vector3d>& polygon, const Plane& pl
   return front;
 }
 
+bool contains(const std::vector<Vector3d>& polygon, const Vector3d& normal, const Vector3d& p) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector3d& a = polygon[i];
+    const Vector3d& b = polygon[(i + 1) % polygon.size()];
+    if (normal.dot((b - a).cross(p - a)) < -1e-9 * (b - a).norm()) return false;
+  }
+  return true;
+}
+
 const GaussRule& gauss(int points) {
   static const std::array<GaussRule, 8> kRules{golub_welsch(1), golub_welsch(2), golub_welsch(3),
                                                golub_welsch(4), golub_welsch(5), golub_welsch(6),

@@ -32,6 +32,10 @@ struct Facet {
 [[nodiscard]] std::vector<Eigen::Vector3d> clip(const std::vector<Eigen::Vector3d>& polygon,
                                                 const Plane& plane);
 
+/// Whether a point of its plane lies in a convex polygon, edges included to 1e-9 m.
+[[nodiscard]] bool contains(const std::vector<Eigen::Vector3d>& polygon,
+                            const Eigen::Vector3d& normal, const Eigen::Vector3d& p);
+
 /// Nodes and weights of Gauss-Legendre on [0, 1], 1 to 8 points.
 struct GaussRule {
   std::vector<double> node, weight;

@@ -1,37 +1,26 @@
 #pragma once
 #include <Eigen/Core>
+#include <cstddef>
+#include <map>
+#include <mutex>
 #include <utility>
 #include <vector>
 
 #include "scenes/patch_mesh.h"
-#include "scenes/room.h"
+#include "solver/point_factors.h"
 #include "solver/visibility.h"
 
 namespace solver {
 
 /// A linear reading of the patches' radiosities, sum_j w_j B_j.
 struct GatherRow {
-  Eigen::VectorXd weights;         ///< per patch; sum to 1
-  Eigen::VectorXd standard_error;  ///< of the weights, from sampled visibility
-  double norm = 0;  ///< sqrt(sum_j w_j^2 / A_j), 1/m: see BandReport::norm_error_bound
+  Eigen::VectorXd weights;    ///< per patch; sum to 1
+  double norm = 0;            ///< sqrt(sum_j w_j^2 / A_j), 1/m: see BandReport::norm_error_bound
+  double closure_defect = 0;  ///< how far from 1 the weights summed before
 };
 
-struct GatherOptions {
-  std::vector<bool> lamp;    ///< patches whose visible share is sampled until `lamp_error`
-  double lamp_error = 1e-3;  ///< standard error of a lamp patch's visible share
-  int most_lamp_rays = 4096;
-  int rays = 64;  ///< for other patches that something may hide
-};
-
-/// Irradiance at a surface element. Form factors from the point are exact [Lambert1760], visible
-/// shares come from rays; near patches also count the gradient of B, taken from their neighbours in
-/// the surface, times the kernel's first moment. What sampling leaves open is spread over the
-/// weights by their variances, so that they sum to 1 as in a closed room. On an edge the light is
-/// the limit from the air.
-[[nodiscard]] GatherRow gather_at_point(const Eigen::Vector3d& at_m, const Eigen::Vector3d& normal,
-                                        const scenes::PatchMesh& mesh,
-                                        const std::vector<Facet>& facets,
-                                        const Visibility& visibility, const GatherOptions& options);
+/// Weights scaled to sum to 1; none where all are 0.
+[[nodiscard]] GatherRow closed_row(Eigen::VectorXd weights, const std::vector<double>& area_m2);
 
 /// Gradient of B on patch j = sum_k a_k (B_k - B_j) over its neighbours k in the surface: weighted
 /// least squares. Directions in which there is no neighbour have no gradient.
@@ -40,31 +29,46 @@ using GradientWeights = std::vector<std::pair<Eigen::Index, Eigen::Vector3d>>;
 [[nodiscard]] GradientWeights gradient_weights(const scenes::PatchMesh& mesh,
                                                const std::vector<Facet>& facets, std::size_t j);
 
-/// What an eye takes in, as solid-angle means of radiosity [Neumann2004] 2.4.
-struct ViewRows {
-  GatherRow background;  ///< from 1 to 11 degrees off the axis
-  GatherRow field;       ///< from 11 to 90 degrees
-  GatherRow near_axis;   ///< 0 to 90 degrees, weighted by the cosine with the axis
+/// Reads irradiance at surface elements. Form factors of what they see of each patch are exact
+/// [Lambert1760], shadows included; near patches also count the gradient of B, taken from their
+/// neighbours in the surface, times the kernel's first moment. On an edge the light is the limit
+/// from the air.
+class PointGather {
+ public:
+  /// All must outlive this.
+  PointGather(const scenes::PatchMesh& mesh, const std::vector<Facet>& facets,
+              const Visibility& visibility);
+
+  [[nodiscard]] GatherRow row(const Eigen::Vector3d& at_m, const Eigen::Vector3d& normal) const;
+
+ private:
+  using Polygons = std::vector<std::vector<Eigen::Vector3d>>;
+
+  struct Seen {
+    Eigen::VectorXd factors;
+    std::map<std::size_t, Polygons> in_part;  ///< of patches that something hides: what is left
+  };
+
+  struct NearPatch {
+    std::size_t patch = 0;
+    Polygons parts;
+  };
+
+  [[nodiscard]] Seen seen_from(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
+  [[nodiscard]] std::vector<NearPatch> near_patches(const Eigen::Vector3d& point,
+                                                    const Seen& seen) const;
+  [[nodiscard]] const GradientWeights& gradient(std::size_t patch) const;
+  void add_gradients(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Seen& seen,
+                     Eigen::VectorXd& weights) const;
+  void add_gradient(std::size_t patch, const Eigen::Vector3d& moment,
+                    Eigen::VectorXd& weights) const;
+
+  const scenes::PatchMesh& mesh_;
+  const std::vector<Facet>& facets_;
+  const Visibility& visibility_;
+  PointFactors factors_;
+  mutable std::vector<GradientWeights> gradients_;  ///< of patches that were near a point
+  mutable std::vector<std::once_flag> gradient_known_;
 };
-
-/// By low-discrepancy rays of equal solid angle, kBackgroundRays and kFieldRays of them.
-inline constexpr int kBackgroundRays = 4096;
-inline constexpr int kFieldRays = 16384;
-
-[[nodiscard]] ViewRows view_rows(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& look_at_m,
-                                 const scenes::PatchMesh& mesh);
-
-/// The point that is looked at, from where, and the surface it lies on.
-struct ViewedPoint {
-  Eigen::Vector3d eye_m, point_m, normal;
-  int surface = 0;
-};
-
-/// Of one group of painted surfaces: with a view (of the group, or of the room for the first),
-/// where the ray from the eye meets the room. Else the free centre of the longest painted wall (if
-/// no wall is painted, of the largest painted surface; if nothing is, of the longest wall), from 2
-/// m away on its normal or half the room. Whatever the mesh of the solve.
-/// @throws std::invalid_argument  if no such point is free
-[[nodiscard]] ViewedPoint viewed_point(const scenes::Room& room, std::size_t group = 0);
 
 }  // namespace solver

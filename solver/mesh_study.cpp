@@ -13,7 +13,7 @@ namespace {
 constexpr double kOrder2 = 1.0 / 3;    ///< (E_h - E) / (E_2h - E_h) where E_h - E ~ h^2
 constexpr double kFirstPatches = 200;  ///< of the first mesh that is tried, about
 constexpr int kMostSteps = 12;
-constexpr double kShareOfSolver = 0.01, kShareOfVisibility = 0.3;
+constexpr double kShareOfSolver = 0.01;
 
 /// All points of a solution.
 std::vector<ReceiverLight*> points_of(RoomSolution& solution) {
@@ -36,7 +36,6 @@ PointErrors largest_errors(RoomSolution& solution) {
   PointErrors worst;
   for (const ReceiverLight* p : points_of(solution)) {
     worst.mesh = std::max(worst.mesh, p->mesh_error.value_or(1));
-    worst.visibility = std::max(worst.visibility, p->visibility_error);
     worst.solver = std::max(worst.solver, p->solver_error_bound);
   }
   return worst;
@@ -81,7 +80,6 @@ ToleranceSolution solve_to_tolerance(const scenes::Room& room, double tolerance,
   }
   ToleranceSolution best;
   best.relative_error = radiosity.relative_error = kShareOfSolver * tolerance;
-  best.visibility_error = transport.visibility_error = kShareOfVisibility * tolerance;
   transport.patch_m = patch_m_for(room, kFirstPatches);
   for (int step = 0; step < kMostSteps && !best.reached; ++step) {
     try {
@@ -101,7 +99,7 @@ ToleranceSolution solve_to_tolerance(const scenes::Room& room, double tolerance,
     const PointErrors error = largest_errors(best.solution);
     best.steps.push_back({transport.patch_m, best.transport.mesh.size(), error});
     best.reached = best.solution.radiosity.converged && error.sum() <= tolerance;
-    const double left = tolerance - error.visibility - error.solver;
+    const double left = tolerance - error.solver;
     transport.patch_m = next_patch_m(transport.patch_m, error, std::max(left, 0.1 * tolerance));
   }
   return best;

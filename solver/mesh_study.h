@@ -20,9 +20,9 @@ bool study_mesh(const scenes::Room& room, const TransportOptions& transport,
 
 /// Largest relative errors of a solve, over receivers and viewed points.
 struct PointErrors {
-  double mesh = 0, visibility = 0, solver = 0;
+  double mesh = 0, solver = 0;
 
-  [[nodiscard]] double sum() const { return mesh + visibility + solver; }
+  [[nodiscard]] double sum() const { return mesh + solver; }
 };
 
 struct ToleranceStep {
@@ -36,14 +36,13 @@ struct ToleranceSolution {
   RoomSolution solution;
   std::vector<ToleranceStep> steps;  ///< the meshes that were tried, the last is the solution's
   double relative_error = 0;         ///< chosen for the solver
-  double visibility_error = 0;       ///< chosen for the lamps' visible share
   bool reached = false;
 };
 
-/// Chooses solver tolerance, rays and patch size so that the errors of every receiver and viewed
+/// Chooses solver tolerance and patch size so that the errors of every receiver and viewed
 /// point add up to at most `tolerance`, relative to its strongest band. Patches shrink as the
 /// error that is left asks for, until they do not fit.
-/// @param transport  patch_m and visibility_error are chosen here
+/// @param transport  patch_m is chosen here
 /// @throws std::invalid_argument  unless 0 < tolerance < 1
 /// @throws TooLarge  if not even the first mesh fits
 [[nodiscard]] ToleranceSolution solve_to_tolerance(const scenes::Room& room, double tolerance,

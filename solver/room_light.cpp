@@ -56,12 +56,6 @@ ReceiverLight read_light(const GatherRow& row, const ArrayXd& direct,
   light.irradiance = (row.weights.transpose() * b.matrix()).transpose().array() + direct;
   const double strongest = light.irradiance.maxCoeff();
   if (!(strongest > 0)) return light;
-  const ArrayXd sampled =
-      (row.standard_error.array().square().matrix().transpose() * b.square().matrix())
-          .transpose()
-          .array()
-          .sqrt();
-  light.visibility_error = sampled.maxCoeff() / strongest;
   for (const BandReport& band : solution.bands) {
     light.solver_error_bound =
         std::max(light.solver_error_bound, row.norm * band.norm_error_bound / strongest);

@@ -20,8 +20,6 @@ struct ReceiverLight {
   std::optional<double> mesh_error;  ///< estimated, relative to the strongest band; mesh_study.h
   double solver_error_bound =
       0;  ///< of what the solver left, relative to the strongest band; proven
-  double visibility_error =
-      0;  ///< standard error of sampled visibility, relative to the strongest band
 };
 
 struct RoomSolution {

@@ -241,10 +241,9 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   for (std::size_t s = 0; s < room.scenarios.size(); ++s) {
     t.lightings[s + 1].name = room.scenarios[s].name;
   }
-  const GatherOptions gather{
-      .lamp = lamp, .lamp_error = options.visibility_error, .rays = options.rays};
+  const PointGather gather(t.mesh, facets, visibility);
   const auto row = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
-    ReceiverRow r{.gather = gather_at_point(point, normal, t.mesh, facets, visibility, gather)};
+    ReceiverRow r{.gather = gather.row(point, normal)};
     for (const scenes::Room& l : lit) {
       r.direct.push_back(direct_light_at_point(l, point, normal, visibility));
     }

@@ -8,6 +8,7 @@
 
 #include "scenes/patch_mesh.h"
 #include "scenes/room.h"
+#include "solver/eye.h"
 #include "solver/gather.h"
 #include "solver/radiosity.h"
 
@@ -58,11 +59,10 @@ class TooLarge : public std::runtime_error {
 };
 
 struct TransportOptions {
-  double patch_m = 0;              ///< 0: the room's own
-  std::vector<ViewedPoint> views;  ///< empty: the viewed point of each painted group
-  double visibility_error = 1e-3;  ///< aimed at for the visible share of lamps at receivers
-  int rays = 64;        ///< for a pair, or a receiver and a patch, if the first 16 disagree
-  int lamp_rays = 256;  ///< for a pair with a lamp
+  double patch_m = 0;                   ///< 0: the room's own
+  std::vector<ViewedPoint> views;       ///< empty: the viewed point of each painted group
+  int rays = 64;                        ///< for a pair of patches, if the first 16 disagree
+  int lamp_rays = 256;                  ///< for a pair with a lamp
   std::int64_t memory_limit_bytes = 0;  ///< 0: what the machine has free
   bool skip = true;                     ///< leave out what the scene does not need
   /// False: of viewed points the irradiance alone, not what else the eye takes in.

@@ -51,10 +51,6 @@ struct WeightedShare {
   }
 };
 
-Points16 sixteen_times(const Eigen::Vector3f& p) {
-  return p.transpose().array().replicate<kPacket, 1>();
-}
-
 /// cos cos / r^2 / r^2 of 16 segments.
 Samples16 kernels(const Points16& from, const Vector3d& normal_from, const Points16& to,
                   const Vector3d& normal_to) {
@@ -102,42 +98,9 @@ class Front {
 }  // namespace
 
 Visibility::Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip)
-    : skip_(skip) {
-  const scenes::Occluders faces = scenes::occluders(room);
-  if (faces.triangles.empty()) return;
-  for (const scenes::Box& box : room.furniture) {
-    const std::vector<Eigen::Vector2d> base = scenes::footprint(box);
-    Blocker blocker{
-        .planes = {{Vector3d::UnitZ(), box.max_m.z()}, {-Vector3d::UnitZ(), -box.min_m.z()}}};
-    for (std::size_t k = 0; k < base.size(); ++k) {
-      const Eigen::Vector2d edge = base[(k + 1) % base.size()] - base[k];
-      const Vector3d outward = Vector3d(edge.y(), -edge.x(), 0).normalized();
-      blocker.planes.push_back({outward, outward.head<2>().dot(base[k])});
-      blocker.corners.emplace_back(base[k].x(), base[k].y(), box.min_m.z());
-      blocker.corners.emplace_back(base[k].x(), base[k].y(), box.max_m.z());
-    }
-    blockers_.push_back(std::move(blocker));
-  }
-  for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
-    const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
-    if (surface.kind != scenes::SurfaceKind::wall) continue;
-    const scenes::Frame frame = scenes::frame_of(room, s);
-    const Plane plane{frame.normal, frame.normal.dot(frame.origin_m)};
-    const bool whole_plan_in_front =
-        std::all_of(room.plan_m.begin(), room.plan_m.end(), [&](const Eigen::Vector2d& p) {
-          return plane.height_m({p.x(), p.y(), 0}) > -kTouching_m;
-        });
-    if (whole_plan_in_front) continue;  // a wall of the convex hull hides nothing
-    const auto i = static_cast<std::size_t>(surface.index);
-    Blocker blocker{.planes = {plane}};
-    for (const Eigen::Vector2d& p : {room.plan_m[i], room.plan_m[(i + 1) % room.plan_m.size()]}) {
-      blocker.corners.emplace_back(p.x(), p.y(), 0);
-      blocker.corners.emplace_back(p.x(), p.y(), room.height_m);
-    }
-    blockers_.push_back(std::move(blocker));
-  }
+    : skip_(skip), blockers_(blockers_of(room)) {
   if (blockers_.empty()) return;
-  scene_ = std::make_unique<RayScene>(faces.triangles);
+  scene_ = std::make_unique<RayScene>(scenes::occluders(room).triangles);
   patch_masks_.resize(static_cast<std::size_t>(mesh.size()) * blockers_.size());
   for (std::size_t p = 0; p < mesh.polygon.size(); ++p) {
     const Plane own{mesh.normal[p], mesh.normal[p].dot(mesh.centre[p])};
@@ -158,9 +121,9 @@ void Visibility::separate(const Vertices& vertices, const Plane& own, std::uint8
         std::all_of(blocker.corners.begin(), blocker.corners.end(),
                     [&](const Vector3d& c) { return own.height_m(c) < kTouching_m; });
     if (behind) mask[b] |= kBehind;
-    for (std::size_t f = 0; f < blocker.planes.size(); ++f) {
+    for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
       const bool outside = std::all_of(vertices.begin(), vertices.end(), [&](const Vector3d& v) {
-        return blocker.planes[f].height_m(v) > -kTouching_m;
+        return blocker.faces[f].plane.height_m(v) > -kTouching_m;
       });
       if (outside) mask[b] |= static_cast<std::uint8_t>(1U << f);
     }
@@ -208,10 +171,10 @@ bool Visibility::may_block(const SeparationMask& a, const SeparationMask& b) {
   return any_blocker_between(a.data(), b.data(), a.size());
 }
 
-std::uint32_t Visibility::blocked16(const Points16& from, const Points16& to, int count) const {
+std::uint32_t Visibility::blocked16(const Points16& from, const Points16& to) const {
   alignas(64) RTCRay16 rays{};
   alignas(64) std::array<int, kPacket> valid{};
-  std::fill_n(valid.begin(), count, -1);
+  valid.fill(-1);
   const Points16 direction = to - from;
   Eigen::Map<Samples16>(rays.org_x) = from.col(0);
   Eigen::Map<Samples16>(rays.org_y) = from.col(1);
@@ -226,7 +189,7 @@ std::uint32_t Visibility::blocked16(const Points16& from, const Points16& to, in
   rtcInitIntersectContext(&context);
   rtcOccluded16(valid.data(), scene_->get(), &context, &rays);
   std::uint32_t blocked = 0;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < kPacket; ++k) {
     if (rays.tfar[k] < 0) blocked |= 1U << k;
   }
   return blocked;
@@ -240,56 +203,12 @@ VisibleShare Visibility::between(const Facet& i, const Facet& j, std::uint64_t s
   for (int done = 0; done < most_rays; done += kPacket) {
     const Points16 from = front_i.points(*scene_, sequence, done, 0),
                    to = front_j.points(*scene_, sequence, done, 2);
-    const std::uint32_t blocked = blocked16(from, to, kPacket);
+    const std::uint32_t blocked = blocked16(from, to);
     if (done == 0 && blocked == 0) return {};
     if (done == 0 && blocked == kAllBlocked) return {.share = 0};
     sum.add(kernels(from, i.normal, to, j.normal), blocked);
   }
   return sum.share();
-}
-
-VisibleShare Visibility::from_point(const Vector3d& point, const Vector3d& normal,
-                                    const Facet& facet, std::uint64_t seed, double error,
-                                    int most_rays) const {
-  const Sequence4 sequence(seed);
-  const Front front(facet, Plane{normal, normal.dot(point)});
-  WeightedShare sum;
-  const Points16 from = sixteen_times(scene_->local(point));
-  for (int target = 4 * kPacket; target <= most_rays; target *= 2) {
-    while (sum.count < target) {
-      const Points16 to = front.points(*scene_, sequence, sum.count, 0);
-      sum.add(kernels(from, normal, to, facet.normal), blocked16(from, to, kPacket));
-    }
-    if (sum.share().standard_error <= error) break;
-  }
-  return sum.share();
-}
-
-VisibleShare Visibility::towards(const Facet& facet, std::uint64_t seed, int rays,
-                                 const std::function<Target(const Vector3d&)>& target) const {
-  if (unobstructed()) return {};
-  const Sequence4 sequence(seed);
-  WeightedShare sum;
-  Points16 from, to;
-  Samples16 weight;
-  while (sum.count < rays) {
-    for (int k = 0; k < kPacket; ++k) {
-      const Vector3d p = area_point(facet, sequence(sum.count + k, 0), sequence(sum.count + k, 1));
-      const Target t = target(p);
-      from.row(k) = scene_->local(p);
-      to.row(k) = scene_->local(t.point_m);
-      weight[k] = static_cast<float>(t.weight);
-    }
-    const std::uint32_t blocked = blocked16(from, to, kPacket);
-    sum.add(weight, blocked);
-    if (sum.count == kPacket && (blocked == 0 || blocked == kAllBlocked)) break;
-  }
-  return sum.share();
-}
-
-bool Visibility::open_segment(const Vector3d& from, const Vector3d& to) const {
-  if (unobstructed()) return true;
-  return blocked16(sixteen_times(scene_->local(from)), sixteen_times(scene_->local(to)), 1) == 0;
 }
 
 }  // namespace solver

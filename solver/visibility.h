@@ -1,11 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "scenes/patch_mesh.h"
 #include "scenes/room.h"
+#include "solver/blocker.h"
 #include "solver/facet.h"
 
 namespace solver {
@@ -54,36 +54,14 @@ class Visibility {
   [[nodiscard]] VisibleShare between(const Facet& i, const Facet& j, std::uint64_t seed,
                                      int most_rays) const;
 
-  /// From a surface element, doubling the rays until the standard error is below `error` or
-  /// `most_rays` are spent.
-  [[nodiscard]] VisibleShare from_point(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
-                                        const Facet& facet, std::uint64_t seed, double error,
-                                        int most_rays) const;
-
-  /// Where a ray from an area point goes, and how much light it stands for.
-  struct Target {
-    Eigen::Vector3d point_m;
-    double weight = 1;
-  };
-
-  /// From the points of a facet to one target each: a point light, or the sun through an opening.
-  [[nodiscard]] VisibleShare towards(
-      const Facet& facet, std::uint64_t seed, int rays,
-      const std::function<Target(const Eigen::Vector3d&)>& target) const;
-
-  [[nodiscard]] bool open_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  [[nodiscard]] const std::vector<Blocker>& blockers() const { return blockers_; }
 
  private:
-  struct Blocker {
-    std::vector<Plane> planes;  ///< outside is in front
-    std::vector<Eigen::Vector3d> corners;
-  };
-
   template <typename Vertices>
   void separate(const Vertices& vertices, const Plane& own, std::uint8_t* mask) const;
 
-  /// bit k set: segment k is blocked, of the first `count`
-  [[nodiscard]] std::uint32_t blocked16(const Points16& from, const Points16& to, int count) const;
+  /// bit k set: segment k is blocked
+  [[nodiscard]] std::uint32_t blocked16(const Points16& from, const Points16& to) const;
 
   bool skip_ = true;
   std::vector<Blocker> blockers_;

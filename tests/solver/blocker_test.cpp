@@ -1,0 +1,161 @@
+#include "solver/blocker.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+#include <random>
+
+#include "solver/direct_light.h"
+#include "solver/exchange.h"
+
+namespace solver {
+namespace {
+
+using Eigen::Vector3d;
+using Polygon = std::vector<Vector3d>;
+
+const scenes::Box kDesk{
+    .name = "desk", .min_m = {1, 1, 0.2}, .max_m = {2.2, 1.7, 0.9}, .rotate_z_deg = 25};
+const scenes::Box kShelf{.name = "shelf", .min_m = {2, 0.5, 0.3}, .max_m = {2.4, 2.5, 1.8}};
+
+std::vector<Blocker> furniture(const std::vector<scenes::Box>& boxes) {
+  return blockers_of({.furniture = boxes});
+}
+
+/// Whether a segment passes through a box, by the slabs of its own frame.
+bool passes(const scenes::Box& box, Vector3d from, Vector3d to) {
+  const Vector3d middle = (box.min_m + box.max_m) / 2;
+  const Eigen::AngleAxisd back(-box.rotate_z_deg * std::numbers::pi / 180, Vector3d::UnitZ());
+  from = back * (from - middle);
+  to = back * (to - middle);
+  double enter = 0, leave = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double half = (box.max_m - box.min_m)[axis] / 2, d = to[axis] - from[axis];
+    const double a = (-half - from[axis]) / d, b = (half - from[axis]) / d;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter < leave;
+}
+
+double area_m2(const std::vector<Polygon>& polygons) {
+  double sum = 0;
+  for (const Polygon& p : polygons) sum += make_facet(p).area_m2;
+  return sum;
+}
+
+int count_containing(const std::vector<Polygon>& parts, const Vector3d& normal, const Vector3d& p) {
+  return static_cast<int>(
+      std::ranges::count_if(parts, [&](const Polygon& part) { return contains(part, normal, p); }));
+}
+
+// A tilted triangle behind two boxes that hide each other in part: every point of it is in one lit
+// part, or its segment to the light passes through a box.
+TEST(Shadows, LitPartsAreWhatSegmentsReach) {
+  const std::vector<scenes::Box> boxes{kDesk, kShelf};
+  const Facet wall = make_facet({{3.5, 0, 0.1}, {3.3, 3, 0.1}, {3.2, 1.4, 2.6}});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int hidden = 0;
+  for (int light = 0; light < 20; ++light) {
+    const Vector3d at(unit(random), 3 * unit(random), 2.5 * unit(random));
+    const Shadows shadows(furniture(boxes), from_point(at));
+    const std::vector<Polygon> lit = shadows.lit_parts(wall.vertices);
+    for (int k = 0; k < 500; ++k) {
+      const Vector3d p = area_point(wall, unit(random), unit(random));
+      const bool dark = passes(kDesk, at, p) || passes(kShelf, at, p);
+      hidden += dark;
+      EXPECT_EQ(count_containing(lit, wall.normal, p), dark ? 0 : 1);
+      EXPECT_EQ(shadows.contain(p), dark);
+    }
+  }
+  EXPECT_GT(hidden, 1000);
+  EXPECT_LT(hidden, 9500);
+}
+
+// Seen from above at an angle, the top of a box shadows the floor as itself, moved.
+TEST(Shadows, SunCastsTheTopAndTheSidesOfABox) {
+  const Shadows shadows(furniture({{.name = "post", .min_m = {0, 0, 0}, .max_m = {1, 1, 2}}}),
+                        from_direction({1, 0, 1}));
+  const Polygon floor{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}};
+  EXPECT_NEAR(area_m2(shadows.lit_parts(floor)), 100 - 3, 1e-12);  // -2 < x < 1
+  EXPECT_TRUE(shadows.contain({-1.9, 0.5, 0}));
+  EXPECT_FALSE(shadows.contain({-2.1, 0.5, 0}));
+  EXPECT_FALSE(shadows.contain({0.5, 0.5, 2}));  // its own lit face
+}
+
+TEST(Shadows, FacesThatTheLightTouchesAndThatTouchTheLightStayLit) {
+  const scenes::Box post{.name = "post", .min_m = {0, 0, 0}, .max_m = {1, 1, 2}};
+  const Polygon top{{0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}};
+  const Polygon ceiling{{-3, -3, 3}, {-3, 3, 3}, {3, 3, 3}, {3, -3, 3}};
+  for (const Vector3d& on_post : {Vector3d(0.5, 0.5, 2), {1, 0.5, 2}, {1, 1, 2}}) {
+    const Shadows shadows(furniture({post}), from_point(on_post));
+    EXPECT_EQ(shadows.lit_parts(ceiling), std::vector<Polygon>{ceiling});
+  }
+  EXPECT_EQ(Shadows(furniture({post}), from_point({0.3, 0.2, 2.5})).lit_parts(top),
+            std::vector<Polygon>{top});
+}
+
+scenes::Room l_shaped_room() {
+  scenes::Room room{.grid = {.first_nm = 500, .step_nm = 10, .count = 1},
+                    .plan_m = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}},
+                    .height_m = 2.5};
+  const spectra::Spectrum zero{room.grid, Eigen::ArrayXd::Zero(1)};
+  const auto add = [&](const char* name, scenes::SurfaceKind kind, int index) {
+    room.surfaces.push_back(
+        {.name = name, .kind = kind, .index = index, .reflectance = zero, .exitance = zero});
+  };
+  add("floor", scenes::SurfaceKind::floor, 0);
+  add("ceiling", scenes::SurfaceKind::ceiling, 0);
+  for (int wall = 0; wall < 6; ++wall) add("wall", scenes::SurfaceKind::wall, wall);
+  room.openings.push_back({.name = "window",
+                           .wall = 2,
+                           .offset_m = 0.5,
+                           .sill_m = 0.8,
+                           .width_m = 1,
+                           .height_m = 1,
+                           .transmittance = {room.grid, Eigen::ArrayXd::Ones(1)}});
+  add("window", scenes::SurfaceKind::opening, 0);
+  room.furniture.push_back({.name = "post", .min_m = {1, 1.5, 0}, .max_m = {1.9, 3.2, 2.2}});
+  room.furniture.push_back({.name = "desk", .min_m = {3, 0.6, 0}, .max_m = {3.8, 1.4, 0.8}});
+  add("post", scenes::SurfaceKind::furniture, 0);
+  add("desk", scenes::SurfaceKind::furniture, 1);
+  return room;
+}
+
+// The post stands in the other arm of the room, where no light passes that comes in by the window,
+// and reaches through the plane of the window. The desk stands in the light.
+TEST(DirectLight, SunIsHiddenOnlyByWhatStandsBehindTheWindow) {
+  scenes::Room room = l_shaped_room();
+  room.suns.push_back({.name = "sun",
+                       .azimuth_deg = 315,
+                       .altitude_deg = 30,
+                       .normal_irradiance = {room.grid, Eigen::ArrayXd::Ones(1)}});
+  const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.3);
+  const DirectLight light =
+      direct_light_on_patches(room, mesh, facets_of(mesh), Visibility(room, mesh));
+  EXPECT_LT(light.largest_scaling, 1e-9);
+  double on_desk = 0;
+  for (std::size_t p = 0; p < mesh.area_m2.size(); ++p) {
+    const bool desk = room.surfaces[static_cast<std::size_t>(mesh.surface[p])].name == "desk";
+    if (desk) on_desk += light.irradiance(static_cast<Eigen::Index>(p), 0) * mesh.area_m2[p];
+  }
+  EXPECT_GT(on_desk, 0.05);
+}
+
+// What patches get of a point light sums to all of it, with furniture and re-entrant walls.
+TEST(DirectLight, AllFluxOfAPointLightArrives) {
+  scenes::Room room = l_shaped_room();
+  room.point_lights.push_back({.name = "bulb",
+                               .at_m = {2.4, 0.5, 2.1},
+                               .spectral_flux = {room.grid, Eigen::ArrayXd::Ones(1)}});
+  const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.3);
+  const DirectLight light =
+      direct_light_on_patches(room, mesh, facets_of(mesh), Visibility(room, mesh));
+  EXPECT_LT(light.largest_scaling, 1e-9);
+}
+
+}  // namespace
+}  // namespace solver

@@ -1,0 +1,74 @@
+#include "solver/gather.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <numbers>
+#include <random>
+
+#include "scenes/room_json.h"
+#include "solver/exchange.h"
+#include "solver/pair_factor.h"
+
+namespace solver {
+namespace {
+
+using Eigen::Vector3d;
+
+scenes::Room sample_room(const std::string& name) {
+  return scenes::read_room(std::string(SOURCE_DIR) + "/scenes/rooms/" + name + ".json");
+}
+
+// Triangles to hexagons at random, also backs, across the horizon and below it.
+TEST(PointFactors, AgreeWithEachPolygonAlone) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto anywhere = [&] { return Vector3d(unit(random), unit(random), unit(random)); };
+  std::vector<std::vector<Vector3d>> polygons;
+  PointFactors factors;
+  for (int k = 0; k < 300; ++k) {
+    const Vector3d middle = 2 * anywhere(), u = anywhere(), v = u.cross(anywhere());
+    std::vector<Vector3d> polygon;
+    for (int corner = 0; corner < 3 + k % 4; ++corner) {
+      const double angle = 2 * std::numbers::pi * corner / (3 + k % 4);
+      polygon.push_back(middle + std::cos(angle) * u + std::sin(angle) * v);
+    }
+    factors.add(polygon);
+    polygons.push_back(std::move(polygon));
+  }
+  for (int point = 0; point < 10; ++point) {
+    const Vector3d at = anywhere(), normal = anywhere().normalized();
+    const Eigen::VectorXd all = factors.from(at, normal);
+    ASSERT_EQ(all.size(), 300);
+    for (std::size_t k = 0; k < polygons.size(); ++k) {
+      EXPECT_NEAR(all[static_cast<Eigen::Index>(k)], point_to_polygon(at, normal, polygons[k]),
+                  1e-14);
+    }
+  }
+}
+
+class GatherIn : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(SampleRooms, GatherIn,
+                         testing::Values("box", "office", "l_room", "two_rooms", "living_room",
+                                         "corridor"),
+                         [](const auto& p) { return std::string(p.param); });
+
+// What a point sees of all patches fills its sky: nothing is seen twice, nothing that is hidden.
+TEST_P(GatherIn, VisibleFormFactorsSumToOne) {
+  const scenes::Room room = sample_room(GetParam());
+  const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.7);
+  const std::vector<Facet> facets = facets_of(mesh);
+  const Visibility visibility(room, mesh);
+  const PointGather gather(mesh, facets, visibility);
+  for (std::size_t p = 0; p < facets.size(); p += 7) {
+    const GatherRow row = gather.row(facets[p].centre, facets[p].normal);
+    EXPECT_LT(row.closure_defect, 1e-9)
+        << room.surfaces[static_cast<std::size_t>(mesh.surface[p])].name;
+    EXPECT_NEAR(row.weights.sum(), 1, 1e-12);
+    EXPECT_GE(row.weights.minCoeff(), -1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace solver
