@@ -140,6 +140,7 @@ AmbientTerm solve_ambient_term(const scenes::Room& room) {
 Bands extended_ambient_term(const scenes::Room& room, const std::vector<scenes::Receiver>& at) {
   const AmbientTerm term = solve_ambient_term(room);
   const Visibility nothing_hides;
+  scenes::Room one = without_sources(room);
   Bands irradiance(static_cast<Index>(at.size()), room.grid.count);
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Vector3d &point = at[k].at_m, normal = at[k].normal.normalized();
@@ -152,7 +153,7 @@ Bands extended_ambient_term(const scenes::Room& room, const std::vector<scenes::
       h += scaling * point_to_polygon(point, normal, term.faces.polygon[f]) *
            surface_of(room, term.faces, f).exitance.values;
     }
-    scenes::Room one = without_sources(room);
+    one.suns.clear();
     for (std::size_t s = 0; s < room.point_lights.size(); ++s) {
       one.point_lights = {room.point_lights[s]};
       h += term.point_scaling[s] * direct_light_at_point(one, point, normal, nothing_hides);

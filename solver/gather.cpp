@@ -14,17 +14,18 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Polygon = std::vector<Vector3d>;
 
-/// A convex polygon, a fan of quadrilaterals, each cut into parts x parts.
-std::vector<Polygon> parts_of(const Polygon& v, int parts) {
+/// A convex polygon as a fan of quadrilaterals, each cut into 4 x 4.
+std::vector<Polygon> parts_of(const Polygon& v) {
+  constexpr int kParts = 4;
   std::vector<Polygon> all;
   for (std::size_t i = 1; i + 1 < v.size(); i += 2) {
     const Vector3d &a = v[0], &b = v[i], &c = v[i + 1], &d = i + 2 < v.size() ? v[i + 2] : a;
     const auto at = [&](int s, int t) -> Vector3d {
-      const double u = static_cast<double>(s) / parts, w = static_cast<double>(t) / parts;
+      const double u = static_cast<double>(s) / kParts, w = static_cast<double>(t) / kParts;
       return (1 - w) * ((1 - u) * a + u * b) + w * ((1 - u) * d + u * c);
     };
-    for (int s = 0; s < parts; ++s) {
-      for (int t = 0; t < parts; ++t) {
+    for (int s = 0; s < kParts; ++s) {
+      for (int t = 0; t < kParts; ++t) {
         all.push_back({at(s, t), at(s + 1, t), at(s + 1, t + 1), at(s, t + 1)});
       }
     }
@@ -59,10 +60,10 @@ Vector3d off_the_edge(const Vector3d& point, const Vector3d& normal,
   return moved;
 }
 
-PointFactors factors_of(const std::vector<Facet>& facets) {
-  PointFactors factors;
-  for (const Facet& f : facets) factors.add(f.vertices);
-  return factors;
+Vector3d middle_of(const Polygon& part) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Vector3d& v : part) sum += v;
+  return sum / static_cast<double>(part.size());
 }
 
 }  // namespace
@@ -106,12 +107,24 @@ PointGather::PointGather(const scenes::PatchMesh& mesh, const std::vector<Facet>
     : mesh_(mesh),
       facets_(facets),
       visibility_(visibility),
-      factors_(factors_of(facets)),
       gradients_(facets.size()),
-      gradient_known_(facets.size()) {}
+      gradient_known_(facets.size()) {
+  std::vector<Vector3d> middles;
+  for (const Facet& f : facets) {
+    patches_.add(f.vertices);
+    first_part_.push_back(parts_.size());
+    for (const Polygon& part : parts_of(f.vertices)) {
+      parts_.add(part);
+      middles.push_back(middle_of(part));
+    }
+  }
+  first_part_.push_back(parts_.size());
+  part_middle_m_ = Eigen::Map<Eigen::Matrix3Xd>(middles.data()->data(), 3,
+                                                static_cast<Eigen::Index>(middles.size()));
+}
 
 PointGather::Seen PointGather::seen_from(const Vector3d& point, const Vector3d& normal) const {
-  Seen seen{.factors = factors_.from(point, normal)};
+  Seen seen{.factors = patches_.from(point, normal)};
   const SeparationMask mask = visibility_.separation(point, normal);
   const Shadows shadows(visibility_.blockers(), from_point(point));
   for (std::size_t j = 0; j < facets_.size(); ++j) {
@@ -129,27 +142,25 @@ PointGather::Seen PointGather::seen_from(const Vector3d& point, const Vector3d& 
   return seen;
 }
 
-std::vector<PointGather::NearPatch> PointGather::near_patches(const Vector3d& point,
-                                                              const Seen& seen) const {
-  constexpr double kNear = 4;  // in patch sizes
-  constexpr int kParts = 4;
-  std::vector<NearPatch> near;
-  for (std::size_t j = 0; j < facets_.size(); ++j) {
-    if (seen.factors[static_cast<Eigen::Index>(j)] <= 0) continue;
-    const double distance = (facets_[j].centre - point).norm() / facets_[j].size_m;
-    if (distance >= kNear) continue;
-    NearPatch& patch = near.emplace_back(NearPatch{.patch = j});
-    const auto add = [&](const Polygon& polygon) {
-      std::ranges::move(parts_of(polygon, kParts), std::back_inserter(patch.parts));
-    };
-    const auto in_part = seen.in_part.find(j);
-    if (in_part == seen.in_part.end()) {
-      add(facets_[j].vertices);
-    } else {
-      std::ranges::for_each(in_part->second, add);
+/// sum over what is seen of a patch of F(part) (middle of part - centre), m
+Vector3d PointGather::first_moment(const Vector3d& point, const Vector3d& normal, std::size_t patch,
+                                   const Seen& seen) const {
+  const Vector3d& centre = facets_[patch].centre;
+  const auto in_part = seen.in_part.find(patch);
+  if (in_part == seen.in_part.end()) {
+    const std::size_t first = first_part_[patch], end = first_part_[patch + 1];
+    const VectorXd factors = parts_.from(point, normal, first, end);
+    const auto middles =
+        part_middle_m_.middleCols(static_cast<Eigen::Index>(first), factors.size());
+    return (middles.colwise() - centre) * factors;
+  }
+  Vector3d moment = Vector3d::Zero();
+  for (const Polygon& lit : in_part->second) {
+    for (const Polygon& part : parts_of(lit)) {
+      moment += point_to_polygon(point, normal, part) * (middle_of(part) - centre);
     }
   }
-  return near;
+  return moment;
 }
 
 const GradientWeights& PointGather::gradient(std::size_t patch) const {
@@ -160,21 +171,11 @@ const GradientWeights& PointGather::gradient(std::size_t patch) const {
 
 void PointGather::add_gradients(const Vector3d& point, const Vector3d& normal, const Seen& seen,
                                 VectorXd& weights) const {
-  const std::vector<NearPatch> near = near_patches(point, seen);
-  PointFactors parts;
-  for (const NearPatch& patch : near) {
-    for (const Polygon& part : patch.parts) parts.add(part);
-  }
-  const VectorXd factors = parts.from(point, normal);
-  Eigen::Index next = 0;
-  for (const NearPatch& patch : near) {
-    Vector3d moment = Vector3d::Zero();
-    for (const Polygon& part : patch.parts) {
-      Vector3d middle = Vector3d::Zero();
-      for (const Vector3d& v : part) middle += v / static_cast<double>(part.size());
-      moment += std::max(0.0, factors[next++]) * (middle - facets_[patch.patch].centre);
-    }
-    add_gradient(patch.patch, moment, weights);
+  constexpr double kNear = 4;  // in patch sizes; farther off the middle of a patch will do
+  for (std::size_t j = 0; j < facets_.size(); ++j) {
+    const bool near = (facets_[j].centre - point).norm() < kNear * facets_[j].size_m;
+    if (!near || seen.factors[static_cast<Eigen::Index>(j)] <= 0) continue;
+    add_gradient(j, first_moment(point, normal, j, seen), weights);
   }
 }
 

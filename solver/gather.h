@@ -49,14 +49,10 @@ class PointGather {
     std::map<std::size_t, Polygons> in_part;  ///< of patches that something hides: what is left
   };
 
-  struct NearPatch {
-    std::size_t patch = 0;
-    Polygons parts;
-  };
-
   [[nodiscard]] Seen seen_from(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
-  [[nodiscard]] std::vector<NearPatch> near_patches(const Eigen::Vector3d& point,
-                                                    const Seen& seen) const;
+  [[nodiscard]] Eigen::Vector3d first_moment(const Eigen::Vector3d& point,
+                                             const Eigen::Vector3d& normal, std::size_t patch,
+                                             const Seen& seen) const;
   [[nodiscard]] const GradientWeights& gradient(std::size_t patch) const;
   void add_gradients(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Seen& seen,
                      Eigen::VectorXd& weights) const;
@@ -66,7 +62,9 @@ class PointGather {
   const scenes::PatchMesh& mesh_;
   const std::vector<Facet>& facets_;
   const Visibility& visibility_;
-  PointFactors factors_;
+  PointFactors patches_, parts_;         ///< whole, and cut up
+  std::vector<std::size_t> first_part_;  ///< of each patch, and one past the last
+  Eigen::Matrix3Xd part_middle_m_;
   mutable std::vector<GradientWeights> gradients_;  ///< of patches that were near a point
   mutable std::vector<std::once_flag> gradient_known_;
 };

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "solver/pair_factor.h"
-
 // Highway compiles this file once per instruction set and picks at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solver/point_factors.cpp"
@@ -44,33 +42,65 @@ HWY_INLINE V angle(D d, V sine, V cosine) {
   return hn::IfThenElse(hn::Lt(cosine, zero), hn::Sub(hn::Set(d, std::numbers::pi), acute), acute);
 }
 
-/// 1/2pi sum over the edges of (angle in which the point sees the edge) n . (normal of that angle)
-/// [Lambert1760]
+/// (angle in which the origin sees the edge from a to b) n . (normal of that angle)
+template <class D, class V>
+HWY_INLINE V edge_term(D d, const Vectors<V>& a, const Vectors<V>& b, const Vectors<V>& n) {
+  const Vectors<V> c = cross(b, a);
+  const V sine = hn::Sqrt(dot(c, c));
+  const V term = hn::Mul(angle(d, sine, dot(a, b)), hn::Div(dot(n, c), sine));
+  return hn::IfThenElseZero(hn::Gt(sine, hn::Zero(d)), term);
+}
+
+/// a + part (b - a)
+template <class V>
+HWY_INLINE Vectors<V> between(const Vectors<V>& a, const Vectors<V>& b, V part) {
+  return {hn::MulAdd(part, hn::Sub(b.x, a.x), a.x), hn::MulAdd(part, hn::Sub(b.y, a.y), a.y),
+          hn::MulAdd(part, hn::Sub(b.z, a.z), a.z)};
+}
+
+template <class M, class V>
+HWY_INLINE Vectors<V> choose(M mask, const Vectors<V>& yes, const Vectors<V>& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+/// 1/2pi sum over the edges [Lambert1760]. What reaches below the horizon is cut off there: the
+/// edge from where the outline goes down to where it comes up again closes the polygon.
 void quad_factors(const Quads& q, const double* point, const double* normal) {
   const hn::ScalableTag<double> d;
   using V = hn::Vec<decltype(d)>;
+  const V zero = hn::Zero(d), on_horizon = hn::Set(d, 1e-12);
   const Vectors<V> p{hn::Set(d, point[0]), hn::Set(d, point[1]), hn::Set(d, point[2])};
   const Vectors<V> n{hn::Set(d, normal[0]), hn::Set(d, normal[1]), hn::Set(d, normal[2])};
+  const auto height_of = [&](const Vectors<V>& v) {
+    const V height = dot(n, v);
+    return hn::IfThenElseZero(hn::Gt(hn::Abs(height), on_horizon), height);
+  };
   for (std::size_t i = 0; i < q.count; i += hn::Lanes(d)) {
     const auto corner = [&](std::size_t k) -> Vectors<V> {
       return {hn::Sub(hn::LoadU(d, q.vertex_m[k][0] + i), p.x),
               hn::Sub(hn::LoadU(d, q.vertex_m[k][1] + i), p.y),
               hn::Sub(hn::LoadU(d, q.vertex_m[k][2] + i), p.z)};
     };
-    Vectors<V> r = corner(3);
-    V sum = hn::Zero(d), lowest = dot(n, r), highest = lowest;
+    Vectors<V> r = corner(3), down{zero, zero, zero}, up = down;
+    V height = height_of(r), highest = height, sum = zero;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Vectors<V> next = corner(k), c = cross(next, r);
-      const V height = dot(n, next), sine = hn::Sqrt(dot(c, c));
-      lowest = hn::Min(lowest, height);
-      highest = hn::Max(highest, height);
-      const V edge = hn::Mul(angle(d, sine, dot(r, next)), hn::Div(dot(n, c), sine));
-      sum = hn::Add(sum, hn::IfThenElseZero(hn::Gt(sine, hn::Zero(d)), edge));
+      const Vectors<V> next = corner(k);
+      const V next_height = height_of(next);
+      const auto goes_down = hn::And(hn::Ge(height, zero), hn::Lt(next_height, zero));
+      const auto comes_up = hn::And(hn::Lt(height, zero), hn::Ge(next_height, zero));
+      const auto above = hn::Or(hn::Ge(height, zero), hn::Ge(next_height, zero));
+      const Vectors<V> cut = between(r, next, hn::Div(height, hn::Sub(height, next_height)));
+      down = choose(goes_down, cut, down);
+      up = choose(comes_up, cut, up);
+      const V term = edge_term(d, choose(comes_up, cut, r), choose(goes_down, cut, next), n);
+      sum = hn::Add(sum, hn::IfThenElseZero(above, term));
       r = next;
+      height = next_height;
+      highest = hn::Max(highest, height);
     }
+    sum = hn::IfThenElseZero(hn::Gt(highest, zero), hn::Add(sum, edge_term(d, down, up, n)));
     hn::StoreU(hn::Mul(sum, hn::Set(d, std::numbers::inv_pi / 2)), d, q.factor + i);
-    hn::StoreU(lowest, d, q.lowest_m + i);
-    hn::StoreU(highest, d, q.highest_m + i);
   }
 }
 
@@ -85,50 +115,44 @@ namespace {
 
 HWY_EXPORT(quad_factors);
 
-constexpr double kOnHorizon_m = 1e-12;
 constexpr std::size_t kMostLanes = 32;
+constexpr std::size_t kChunk = 64;  ///< quadrilaterals at a time
+static_assert(kChunk % kMostLanes == 0);
 
 }  // namespace
 
 void PointFactors::add(const std::vector<Eigen::Vector3d>& polygon) {
-  const Eigen::Index number = polygon_.empty() ? 0 : polygon_.back() + 1;
-  for (std::size_t k = 1; k + 1 < polygon.size(); k += 2) {
+  std::size_t at = first_quad_.back();
+  for (std::size_t k = 1; k + 1 < polygon.size(); k += 2, ++at) {
     const std::array<std::size_t, 4> from{0, k, k + 1, std::min(k + 2, polygon.size() - 1)};
-    const std::size_t at = polygon_.size();
     for (std::size_t c = 0; c < 4; ++c) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         std::vector<double>& values = vertex_m_[c][axis];
-        if (at % kMostLanes == 0) values.resize(at + kMostLanes);  // whole vectors can be read
+        if (values.size() < at + kMostLanes) values.resize(2 * at + kMostLanes);
         values[at] = polygon[from[c]][static_cast<Eigen::Index>(axis)];
       }
     }
-    polygon_.push_back(number);
   }
+  first_quad_.push_back(at);
 }
 
-Eigen::VectorXd PointFactors::from(const Eigen::Vector3d& point,
-                                   const Eigen::Vector3d& normal) const {
-  Eigen::VectorXd factors = Eigen::VectorXd::Zero(polygon_.empty() ? 0 : polygon_.back() + 1);
-  Eigen::ArrayX3d results(vertex_m_[0][0].size(), 3);
-  Quads quads{.count = polygon_.size(),
-              .factor = results.col(0).data(),
-              .lowest_m = results.col(1).data(),
-              .highest_m = results.col(2).data()};
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      quads.vertex_m[c][axis] = vertex_m_[c][axis].data();
+Eigen::VectorXd PointFactors::from(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                                   std::size_t first, std::size_t end) const {
+  Eigen::VectorXd factors = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(end - first));
+  std::array<double, kChunk> factor;
+  std::size_t polygon = first;
+  for (std::size_t q = first_quad_[first]; q < first_quad_[end]; q += kChunk) {
+    Quads quads{.count = std::min(kChunk, first_quad_[end] - q), .factor = factor.data()};
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        quads.vertex_m[c][axis] = &vertex_m_[c][axis][q];
+      }
     }
-  }
-  HWY_DYNAMIC_DISPATCH(quad_factors)(quads, point.data(), normal.data());
-  for (std::size_t i = 0; i < polygon_.size(); ++i) {
-    if (quads.highest_m[i] <= kOnHorizon_m) continue;
-    double factor = quads.factor[i];
-    if (quads.lowest_m[i] < -kOnHorizon_m) {
-      std::vector<Eigen::Vector3d> quad;
-      for (const auto& c : vertex_m_) quad.emplace_back(c[0][i], c[1][i], c[2][i]);
-      factor = point_to_polygon(point, normal, quad);
+    HWY_DYNAMIC_DISPATCH(quad_factors)(quads, point.data(), normal.data());
+    for (std::size_t i = 0; i < quads.count; ++i) {
+      while (first_quad_[polygon + 1] <= q + i) ++polygon;
+      factors[static_cast<Eigen::Index>(polygon - first)] += factor[i];
     }
-    factors[polygon_[i]] += factor;
   }
   return factors;
 }

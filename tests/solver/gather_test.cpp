@@ -47,6 +47,15 @@ TEST(PointFactors, AgreeWithEachPolygonAlone) {
   }
 }
 
+// The point lies in the plane of the first, the second reaches up to the horizon.
+TEST(PointFactors, NothingIsSeenOfWhatDoesNotRiseAboveTheHorizon) {
+  PointFactors factors;
+  factors.add({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
+  factors.add({{1, -1, 0}, {1, -1, -1}, {1, 1, -1}, {1, 1, 0}});
+  EXPECT_EQ(factors.from({0.1, 0.2, 0}, {0, 0, 1}), Eigen::Vector2d::Zero());
+  EXPECT_EQ(factors.from({0.1, 0.2, 0}, {0, 0, -1})[0], 0);
+}
+
 class GatherIn : public testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(SampleRooms, GatherIn,
