@@ -150,6 +150,7 @@ Json tolerance_record(const solver::ToleranceSolution& chosen, double tolerance)
   return {{"asked", tolerance},
           {"reached", chosen.reached},
           {"relative_error", chosen.relative_error},
+          {"rays", chosen.rays},
           {"meshes", steps}};
 }
 

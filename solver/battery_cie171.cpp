@@ -18,7 +18,6 @@ using std::numbers::pi;
 
 constexpr double kUnoccluded = 1e-6, kOccluded = 1e-4;
 /// 64 rays tell how much of a patch is in the shadow.
-constexpr double kPartlyOccluded = 2e-3;
 
 /// A rectangle in a plane that a surface element looks at or along, and the plane's distance.
 struct Target {
@@ -257,7 +256,7 @@ std::vector<Check> check_cie171_5_7() {
                    exact.head(9), computed.head(9)),
           worst_of({.name = "CIE 171 5.7, screen, shadow across patches",
                     .quantity = "irradiance, W/m2/nm, 9 points",
-                    .tolerance = kPartlyOccluded},
+                    .tolerance = kOccluded},
                    exact.tail(9), computed.tail(9))};
 }
 

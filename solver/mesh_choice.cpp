@@ -19,7 +19,8 @@ constexpr int kFloatCopies = 8,
               kLightingCopies = 8,   ///< of the same, in double, while light is reduced
     kDoubleCopies = 14,              ///< of patch x band arrays alive at the peak of a solve
     kFineCopies = 3;                 ///< of fine patch x band arrays, in double
-constexpr double kMeshBytes = 2000;  ///< per patch, while the mesh is cut
+constexpr double kMeshBytes = 2000,  ///< per patch, while the mesh is cut
+    kGatherBytes = 2500;             ///< per patch, cut up for gathers
 
 double area_m2(const scenes::Room& room) {
   const std::vector<double> area = whole_mesh(room).area_m2;
@@ -30,9 +31,11 @@ double bytes_for(double patches, const scenes::Room& room) {
   const int bands = room.grid.count;
   const double lightings = 1 + static_cast<double>(room.scenarios.size());
   const double padded = std::ceil(bands / 16.0) * 16;
-  return patches * patches / 2 * sizeof(float) +
+  const auto points = static_cast<double>(room.receivers.size());
+  return patches * patches / 2 * sizeof(float) + patches * points * sizeof(double) +
          patches * padded * (kFloatCopies * sizeof(float) + kDoubleCopies * sizeof(double)) +
-         patches * bands * lightings * kLightingCopies * sizeof(double) + kMeshBytes * patches;
+         patches * bands * lightings * kLightingCopies * sizeof(double) +
+         (kMeshBytes + kGatherBytes) * patches;
 }
 
 double fine_bytes_for(double patches, const scenes::Room& room) {

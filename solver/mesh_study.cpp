@@ -14,6 +14,9 @@ constexpr double kOrder2 = 1.0 / 3;    ///< (E_h - E) / (E_2h - E_h) where E_h -
 constexpr double kFirstPatches = 200;  ///< of the first mesh that is tried, about
 constexpr int kMostSteps = 12;
 constexpr double kShareOfSolver = 0.01;
+/// The usual rays leave less than half of this at a point, in all sample rooms; and their multiple
+/// that is never exceeded.
+constexpr double kFewRays = 1e-3, kMostRays = 64;
 
 /// All points of a solution.
 std::vector<ReceiverLight*> points_of(RoomSolution& solution) {
@@ -80,6 +83,9 @@ ToleranceSolution solve_to_tolerance(const scenes::Room& room, double tolerance,
   }
   ToleranceSolution best;
   best.relative_error = radiosity.relative_error = kShareOfSolver * tolerance;
+  const double more = std::clamp(kFewRays / tolerance, 1.0, kMostRays);
+  best.rays = transport.rays = static_cast<int>(more * transport.rays);
+  transport.lamp_rays = static_cast<int>(more * transport.lamp_rays);
   transport.patch_m = patch_m_for(room, kFirstPatches);
   for (int step = 0; step < kMostSteps && !best.reached; ++step) {
     try {

@@ -36,13 +36,14 @@ struct ToleranceSolution {
   RoomSolution solution;
   std::vector<ToleranceStep> steps;  ///< the meshes that were tried, the last is the solution's
   double relative_error = 0;         ///< chosen for the solver
+  int rays = 0;                      ///< chosen for a pair of patches that something hides in part
   bool reached = false;
 };
 
-/// Chooses solver tolerance and patch size so that the errors of every receiver and viewed
+/// Chooses solver tolerance, rays and patch size so that the errors of every receiver and viewed
 /// point add up to at most `tolerance`, relative to its strongest band. Patches shrink as the
 /// error that is left asks for, until they do not fit.
-/// @param transport  patch_m is chosen here
+/// @param transport  patch_m is chosen here, and more rays where tolerance is below 1e-3
 /// @throws std::invalid_argument  unless 0 < tolerance < 1
 /// @throws TooLarge  if not even the first mesh fits
 [[nodiscard]] ToleranceSolution solve_to_tolerance(const scenes::Room& room, double tolerance,
