@@ -37,10 +37,14 @@ solver::TransportOptions transport_options(const RoomRun& run, const RoomOptions
                                            const std::filesystem::path& out,
                                            std::vector<solver::ViewedPoint> views) {
   require_writable(out);
+  const bool eye = !views.empty() || run.room.view || !run.room.paint.empty();
   for (std::size_t g = views.size(); g < std::max<std::size_t>(1, run.room.paint.size()); ++g) {
     views.push_back(viewed_point(run, g));  // if nothing can be looked at, say so before long work
   }
-  return {.patch_m = options.patch_m, .views = std::move(views), .skip = options.radiosity.skip};
+  return {.patch_m = options.patch_m,
+          .views = std::move(views),
+          .skip = options.radiosity.skip,
+          .eye = eye};
 }
 
 void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::path& out,
