@@ -76,72 +76,94 @@ void start_row(const RowSources& s, FarRow& row) {
   }
 }
 
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+
+struct Vec3 {
+  V x, y, z;
+};
+
+HWY_INLINE V dot(const Vec3& a, const Vec3& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+HWY_INLINE Vec3 load(const float* x, const float* y, const float* z) {
+  const D d;
+  return {hn::LoadU(d, x), hn::LoadU(d, y), hn::LoadU(d, z)};
+}
+
+HWY_INLINE Vec3 broadcast(float x, float y, float z) {
+  const D d;
+  return {hn::Set(d, x), hn::Set(d, y), hn::Set(d, z)};
+}
+
+/// What belongs to a point p of patch i alone: its offset, its share of e, and with its weight w
+/// w (c_j + b), w c_i b, w c_i c_j.
+struct FromPoint {
+  float x = 0, y = 0, z = 0;
+  V e, w_cos_j, w_ci_b, w_product;
+};
+
+/// @return their number, even: an odd one gets another of weight 0, at the centre
+HWY_INLINE std::size_t prepare(const FarPairs& pair, V s, const Vec3& twice_r, FromPoint* points) {
+  const D d;
+  const V ci = hn::LoadU(d, pair.row->cos_i.data() + pair.at),
+          cj = hn::LoadU(d, pair.row->cos_j.data() + pair.at);
+  const Vec3 nj = load(pair.njx, pair.njy, pair.njz);
+  const std::size_t even = pair.points_i + pair.points_i % 2;
+  for (std::size_t k = 0; k < even; ++k) {
+    FromPoint& p = points[k];
+    const std::size_t from = k * pair.stride;
+    const bool real = k < pair.points_i;
+    if (real) p.x = pair.xi[from], p.y = pair.yi[from], p.z = pair.zi[from];
+    const Vec3 offset = broadcast(p.x, p.y, p.z);
+    const V w = hn::Set(d, real ? pair.wi[from] : 0), b = hn::Mul(s, dot(offset, nj));
+    p.e = hn::MulSub(hn::Mul(s, s), dot(offset, offset), dot(offset, twice_r));
+    p.w_cos_j = hn::Mul(w, hn::Add(cj, b));
+    p.w_ci_b = hn::Mul(w, hn::Mul(ci, b));
+    p.w_product = hn::Mul(w, hn::Mul(ci, cj));
+  }
+  return even;
+}
+
 /// By how much the mean of cos cos / r^2 over the points exceeds its value at the centres, r being
 /// 1 there. With p and q the points' offsets over r and rho the direction from i to j, it is the
 /// mean of
-///   (c_i + n_i . q)(c_j + b) / (1 + e)^2 - c_i c_j
-///     = [(n_i . q)(c_j + b) + c_i b - c_i c_j (2 e + e^2)] / (1 + e)^2,
-///   b = n_j . p, e = 2 rho . (q - p) + (q - p)^2:
+///   (c_i + a)(c_j + b) / (1 + e)^2 - c_i c_j
+///     = [a (c_j + b) + c_i b - c_i c_j (2 e + e^2)] / (1 + e)^2,
+///   a = n_i . q, b = n_j . p, e = 2 rho . (q - p) + (q - p)^2:
 /// small numbers, in which rounding is small too. Two points p share a division.
 void far_pairs(const FarPairs& pair) {
-  const hn::ScalableTag<float> d;
-  using V = hn::Vec<decltype(d)>;
-  const auto dot = [](V x, V y, V z, V u, V v, V w)
-                       HWY_ATTR { return hn::MulAdd(x, u, hn::MulAdd(y, v, hn::Mul(z, w))); };
-  const auto row = [&](const FarRow::Floats& values)
-                       HWY_ATTR { return hn::LoadU(d, values.data() + pair.at); };
-  const V s = row(pair.row->inverse_m), s2 = hn::Mul(s, s);
-  const V rx = row(pair.row->twice_x), ry = row(pair.row->twice_y), rz = row(pair.row->twice_z);
-  const V ci = row(pair.row->cos_i), cj = row(pair.row->cos_j), product = hn::Mul(ci, cj);
-  const V njx = hn::LoadU(d, pair.njx), njy = hn::LoadU(d, pair.njy), njz = hn::LoadU(d, pair.njz);
-  const V nix = hn::Set(d, pair.ni[0]), niy = hn::Set(d, pair.ni[1]), niz = hn::Set(d, pair.ni[2]);
-
-  /// What belongs to a point p alone, times its weight where a `w` says so.
-  struct Point {
-    float x = 0, y = 0, z = 0;
-    V e, w_cos_j, w_ci_b, w_product;
-  };
-
-  Point points[FarField::kMostPoints];
-  const std::size_t even = pair.points_i + pair.points_i % 2;
-  for (std::size_t k = 0; k < even; ++k) {
-    Point& p = points[k];
-    const std::size_t from = k * pair.stride;
-    const bool real = k < pair.points_i;  // else one of weight 0, at the centre
-    if (real) p.x = pair.xi[from], p.y = pair.yi[from], p.z = pair.zi[from];
-    const V x = hn::Set(d, p.x), y = hn::Set(d, p.y), z = hn::Set(d, p.z);
-    const V w = hn::Set(d, real ? pair.wi[from] : 0), b = hn::Mul(s, dot(x, y, z, njx, njy, njz));
-    p.e = hn::MulSub(s2, dot(x, y, z, x, y, z), dot(x, y, z, rx, ry, rz));
-    p.w_cos_j = hn::Mul(w, hn::Add(cj, b));
-    p.w_ci_b = hn::Mul(w, hn::Mul(ci, b));
-    p.w_product = hn::Mul(w, product);
-  }
+  const D d;
+  const FarRow& row = *pair.row;
+  const V s = hn::LoadU(d, row.inverse_m.data() + pair.at), s2 = hn::Mul(s, s);
+  const Vec3 twice_r = load(row.twice_x.data() + pair.at, row.twice_y.data() + pair.at,
+                            row.twice_z.data() + pair.at);
+  const Vec3 ni = broadcast(pair.ni[0], pair.ni[1], pair.ni[2]);
+  FromPoint points[FarField::kMostPoints];
+  const std::size_t even = prepare(pair, s, twice_r, points);
   V sum = hn::Zero(d);
   for (std::size_t k = 0; k < pair.points_j; ++k) {
     const std::size_t at = k * pair.stride;
-    const V x = hn::LoadU(d, pair.xj + at), y = hn::LoadU(d, pair.yj + at),
-            z = hn::LoadU(d, pair.zj + at);
-    const V n_i_q = hn::Mul(s, dot(x, y, z, nix, niy, niz));
-    const V e_q = hn::MulAdd(s2, dot(x, y, z, x, y, z), dot(x, y, z, rx, ry, rz));
+    const Vec3 q = load(pair.xj + at, pair.yj + at, pair.zj + at);
+    const V a = hn::Mul(s, dot(q, ni)), e_q = hn::MulAdd(s2, dot(q, q), dot(q, twice_r));
     const V minus_2s2 = hn::Mul(s2, hn::Set(d, -2));
-    const V tx = hn::Mul(minus_2s2, x), ty = hn::Mul(minus_2s2, y), tz = hn::Mul(minus_2s2, z);
-    /// (1 + e)^2 - 1
-    const auto excess = [&](const Point& p) HWY_ATTR {
-      const V e = hn::MulAdd(
-          tx, hn::Set(d, p.x),
-          hn::MulAdd(ty, hn::Set(d, p.y), hn::MulAdd(tz, hn::Set(d, p.z), hn::Add(p.e, e_q))));
+    const Vec3 t{hn::Mul(minus_2s2, q.x), hn::Mul(minus_2s2, q.y), hn::Mul(minus_2s2, q.z)};
+    const auto excess = [&](const FromPoint& p) HWY_ATTR {  // (1 + e)^2 - 1
+      V e = hn::MulAdd(t.z, hn::Set(d, p.z), hn::Add(p.e, e_q));
+      e = hn::MulAdd(t.x, hn::Set(d, p.x), hn::MulAdd(t.y, hn::Set(d, p.y), e));
       return hn::MulAdd(e, e, hn::Add(e, e));
     };
-    const auto numerator = [&](const Point& p, V excess_p) HWY_ATTR {
-      return hn::NegMulAdd(p.w_product, excess_p, hn::MulAdd(n_i_q, p.w_cos_j, p.w_ci_b));
+    const auto numerator = [&](const FromPoint& p, V of_p) HWY_ATTR {
+      return hn::NegMulAdd(p.w_product, of_p, hn::MulAdd(a, p.w_cos_j, p.w_ci_b));
     };
     V inner = hn::Zero(d);
-    for (std::size_t a = 0; a < even; a += 2) {
-      const Point &p = points[a], &next = points[a + 1];
-      const V of_p = excess(p), of_next = excess(next);
-      const V r4 = hn::Add(of_p, hn::Set(d, 1)), next_r4 = hn::Add(of_next, hn::Set(d, 1));
-      const V both = hn::MulAdd(numerator(p, of_p), next_r4, hn::Mul(numerator(next, of_next), r4));
-      inner = hn::Add(inner, hn::Div(both, hn::Mul(r4, next_r4)));
+    for (const FromPoint* p = points; p < points + even; p += 2) {
+      const V first = excess(p[0]), second = excess(p[1]);
+      const V r4 = hn::Add(first, hn::Set(d, 1)), other_r4 = hn::Add(second, hn::Set(d, 1));
+      const V both =
+          hn::MulAdd(numerator(p[0], first), other_r4, hn::Mul(numerator(p[1], second), r4));
+      inner = hn::Add(inner, hn::Div(both, hn::Mul(r4, other_r4)));
     }
     sum = hn::MulAdd(inner, hn::LoadU(d, pair.wj + at), sum);
   }
