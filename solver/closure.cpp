@@ -16,15 +16,15 @@ constexpr double kClosed = 2e-15;     ///< defect at which rounding takes over
 constexpr double kSettled = 1e-10;    ///< defect above which scaling has failed
 constexpr int kMostNewtonSteps = 30;  ///< 4 are usual
 constexpr int kMostInnerSteps = 200;
-constexpr double kInnerReduction = 1e-5;
+constexpr double kMostReduction = 1e-5;  ///< of the residual within a Newton step
 
 /// M e = b with M = diag(m) + D X D, positive semi-definite because the entries of X are
 /// non-negative and m = D X d are its row sums.
 ArrayXd solve_newton_system(const SymmetricTiles& tiles, const ArrayXd& d, const ArrayXd& m,
-                            const ArrayXd& b) {
+                            const ArrayXd& b, double reduction) {
   ArrayXd e = ArrayXd::Zero(b.size()), r = b, p = b / m;
   double rz = (r * p).sum();
-  const double enough = kInnerReduction * kInnerReduction * rz;
+  const double enough = reduction * reduction * rz;
   for (int k = 0; k < kMostInnerSteps && rz > enough; ++k) {
     const ArrayXd mp = m * p + d * unscaled_times(tiles, d * p);
     const double alpha = rz / (p * mp).sum();
@@ -112,7 +112,8 @@ ArrayXd scale_to_close(ExchangeAreas& x, const ArrayXd& sees) {
   double last = 1e300;
   for (int step = 0; step < kMostNewtonSteps && worst() > kClosed && worst() < last; ++step) {
     last = worst();
-    const ArrayXd e = solve_newton_system(x.unscaled, d, m, defect);
+    const double reduction = std::max(kMostReduction, 0.3 * kClosed / last);
+    const ArrayXd e = solve_newton_system(x.unscaled, d, m, defect, reduction);
     d *= (1 + e).max(0.5).min(2.0);
     m = d * unscaled_times(x.unscaled, d) + (1 - sees);
     defect = sees * (area - m);

@@ -1,5 +1,7 @@
 #include "solver/coarse_room.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,6 +9,8 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+
+#include "solver/far_field.h"
 
 namespace solver {
 namespace {
@@ -26,6 +30,30 @@ Bands summed(const std::vector<int>& cluster, Index clusters, const Bands& rows)
   Bands sum = Bands::Zero(clusters, rows.cols());
   for (Index i = 0; i < rows.rows(); ++i) {
     sum.row(cluster[static_cast<std::size_t>(i)]) += rows.row(i);
+  }
+  return sum;
+}
+
+/// X_ij d_j summed over the patches j of each cluster, for the patches i of a row of tiles.
+Eigen::ArrayXXd row_sums(const std::vector<int>& cluster, Index clusters,
+                         const ExchangeAreas& exchange, int row) {
+  const SymmetricTiles& tiles = exchange.unscaled;
+  Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(kTile, clusters);
+  for (int column = 0; column < tiles.blocks; ++column) {
+    const std::int64_t at = tiles.offset[tiles.index(std::min(row, column), std::max(row, column))];
+    if (at == SymmetricTiles::kAbsent) continue;
+    const Eigen::Map<const Eigen::Array<float, kTile, kTile, Eigen::RowMajor>> tile(
+        &tiles.values[static_cast<std::size_t>(at)]);
+    const int first = column * kTile, size = std::min(kTile, exchange.patches() - first);
+    for (int k = 0; k < size; ++k) {
+      const double d = exchange.scaling[first + k];
+      auto to = sum.col(cluster[static_cast<std::size_t>(first + k)]);
+      if (column < row) {
+        to += d * tile.row(k).transpose().cast<double>();
+      } else {
+        to += d * tile.col(k).cast<double>();
+      }
+    }
   }
   return sum;
 }
@@ -60,10 +88,14 @@ MatrixXd exchange_between(const std::vector<int>& cluster, const ExchangeAreas& 
   if (cluster.empty()) return {};
   const Index n = exchange.patches();
   const Index clusters = *std::max_element(cluster.begin(), cluster.end()) + 1;
-  Bands member = Bands::Zero(n, clusters);
-  for (Index i = 0; i < n; ++i) member(i, cluster[static_cast<std::size_t>(i)]) = 1;
-  const Bands share = gather(exchange, member);  // of the light leaving i that arrives in a cluster
-  return summed(cluster, clusters, share.colwise() * exchange.area_m2).matrix();
+  Bands sent(n, clusters);  // A_i F_ij, summed over the patches j of a cluster
+  tbb::parallel_for(0, exchange.unscaled.blocks, [&](int row) {
+    const Index first = Index{row} * kTile, size = std::min<Index>(kTile, n - first);
+    sent.middleRows(first, size) =
+        row_sums(cluster, clusters, exchange, row).topRows(size).colwise() *
+        exchange.scaling.segment(first, size);
+  });
+  return summed(cluster, clusters, sent).matrix();
 }
 
 CoarseRoom::CoarseRoom(const RadiositySystem& system) : exchange_(system.exchange) {

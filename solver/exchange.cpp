@@ -4,14 +4,18 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 
 #include "solver/closure.h"
 #include "solver/coarse_room.h"
 #include "solver/far_field.h"
 #include "solver/pair_factor.h"
+#include "solver/rectangle_pairs.h"
 
 namespace solver {
 namespace {
@@ -19,52 +23,106 @@ namespace {
 constexpr double kOnPlane_m = 1e-12;
 constexpr std::size_t kTileSize = std::size_t{kTile} * kTile;
 
-/// For every plane of the mesh, how far each patch reaches in front of it: says which pairs can
-/// face each other.
+/// Which patches can face each other. For every plane of the mesh it holds how far each patch
+/// reaches in front of it; where all patches of two planes are to each other alike, it looks no
+/// further.
 class FacingTable {
  public:
+  enum class Pair : std::uint8_t { none, straddling, facing, mixed };
+
   explicit FacingTable(const scenes::PatchMesh& mesh)
-      : patches_(mesh.polygon.size()), plane_of_(mesh.plane) {
-    const int planes = *std::max_element(plane_of_.begin(), plane_of_.end()) + 1;
-    std::vector<Plane> plane(static_cast<std::size_t>(planes));
+      : patches_(mesh.polygon.size()), plane_of_(mesh.plane.begin(), mesh.plane.end()) {
+    planes_ = *std::max_element(plane_of_.begin(), plane_of_.end()) + 1;
+    std::vector<Plane> plane(planes_);
     for (std::size_t i = 0; i < patches_; ++i) {
-      plane[at(i)] = {mesh.normal[i], mesh.normal[i].dot(mesh.centre[i])};
+      plane[plane_of_[i]] = {mesh.normal[i], mesh.normal[i].dot(mesh.centre[i])};
     }
-    heights_.resize(plane.size() * patches_);
-    for (std::size_t p = 0; p < plane.size(); ++p) {
+    heights_.resize(planes_ * patches_);
+    std::vector<Range> all(planes_ * planes_);
+    for (std::size_t p = 0; p < planes_; ++p) {
       for (std::size_t j = 0; j < patches_; ++j) {
         Range& range = heights_[p * patches_ + j];
-        for (const Eigen::Vector3d& v : mesh.polygon[j]) {
-          const double h = plane[p].height_m(v);
-          range.lowest_m = std::min(range.lowest_m, h);
-          range.highest_m = std::max(range.highest_m, h);
-        }
+        for (const Eigen::Vector3d& v : mesh.polygon[j]) range.extend(plane[p].height_m(v));
+        Range& of_plane = all[p * planes_ + plane_of_[j]];
+        of_plane.extend(range.lowest_m);
+        of_plane.extend(range.highest_m);
+      }
+    }
+    for (std::size_t p = 0; p < planes_; ++p) {
+      for (std::size_t q = 0; q < planes_; ++q) {
+        const Pair pair = relation(all[p * planes_ + q], all[q * planes_ + p]);
+        of_planes_.push_back(pair == Pair::straddling ? Pair::mixed : pair);
       }
     }
   }
 
-  enum class Pair { none, straddling, facing };
-
   [[nodiscard]] Pair relation(std::size_t i, std::size_t j) const {
-    const Range &j_over_i = heights_[at(i) * patches_ + j],
-                &i_over_j = heights_[at(j) * patches_ + i];
-    if (std::min(j_over_i.highest_m, i_over_j.highest_m) <= kOnPlane_m) return Pair::none;
-    return std::min(j_over_i.lowest_m, i_over_j.lowest_m) >= -kOnPlane_m ? Pair::facing
-                                                                         : Pair::straddling;
+    const Pair pair = of_planes_[plane_of_[i] * planes_ + plane_of_[j]];
+    return pair != Pair::mixed ? pair
+                               : relation(heights_[plane_of_[i] * patches_ + j],
+                                          heights_[plane_of_[j] * patches_ + i]);
   }
 
  private:
   struct Range {
     double lowest_m = 1e300, highest_m = -1e300;
+
+    void extend(double height_m) {
+      lowest_m = std::min(lowest_m, height_m);
+      highest_m = std::max(highest_m, height_m);
+    }
   };
 
-  [[nodiscard]] std::size_t at(std::size_t i) const {
-    return static_cast<std::size_t>(plane_of_[i]);
+  static Pair relation(const Range& j_over_i, const Range& i_over_j) {
+    if (std::min(j_over_i.highest_m, i_over_j.highest_m) <= kOnPlane_m) return Pair::none;
+    return std::min(j_over_i.lowest_m, i_over_j.lowest_m) >= -kOnPlane_m ? Pair::facing
+                                                                         : Pair::straddling;
   }
 
-  std::size_t patches_;
-  std::vector<int> plane_of_;
-  std::vector<Range> heights_;
+  std::size_t patches_, planes_ = 0;
+  std::vector<std::size_t> plane_of_;
+  std::vector<Range> heights_;   ///< [plane][patch]
+  std::vector<Pair> of_planes_;  ///< [plane][plane]
+};
+
+/// Pairs of aligned rectangles that are near, gathered over a tile so that vectors are full.
+class NearPairs {
+ public:
+  /// @param to  gets A_i F_ij, m^2, at the latest from evaluate()
+  void add(const RectanglePair& pair, double smaller_area_m2, float* to) {
+    Queue& queue = pair.planes == Planes::parallel ? parallel_ : perpendicular_;
+    queue.wanted[queue.batch.size()] = {smaller_area_m2, to};
+    queue.batch.add(pair);
+    if (queue.batch.size() == RectangleBatch::kCapacity) evaluate(queue);
+  }
+
+  void evaluate() {
+    evaluate(parallel_);
+    evaluate(perpendicular_);
+  }
+
+ private:
+  struct Wanted {
+    double most_m2;
+    float* to;
+  };
+
+  struct Queue {
+    RectangleBatch batch;
+    std::array<Wanted, RectangleBatch::kCapacity> wanted;
+  };
+
+  static void evaluate(Queue& queue) {
+    const std::size_t size = queue.batch.size();
+    const RectangleBatch::Values& values = queue.batch.evaluate();
+    for (std::size_t k = 0; k < size; ++k) {
+      const Wanted& wanted = queue.wanted[k];
+      *wanted.to = static_cast<float>(std::clamp(values[k], 0.0, wanted.most_m2));
+    }
+  }
+
+  Queue parallel_{RectangleBatch(Planes::parallel), {}};
+  Queue perpendicular_{RectangleBatch(Planes::perpendicular), {}};
 };
 
 /// Fills one tile of X at a time.
@@ -76,7 +134,9 @@ class Assembly {
         facing_(mesh),
         far_(facets_),
         visibility_(visibility),
-        options_(options) {}
+        options_(options) {
+    for (const Facet& f : facets_) rectangles_.push_back(rectangle_of(f));
+  }
 
   struct Counts {
     std::int64_t facing = 0, tested = 0, partial = 0;
@@ -94,18 +154,23 @@ class Assembly {
 
   Counts fill(int row, int column, float* tile) const {
     Counts counts;
-    std::array<float, kTile> x{};
-    for (std::size_t i = begin(row); i < end(row); ++i) {
-      x.fill(0);
-      const std::size_t first = row == column ? i + 1 : begin(column);
-      unoccluded(i, first, column, x, counts);
-      hide(i, first, column, x, counts);
-      float* line = tile + (i - begin(row)) * kTile;
-      for (std::size_t j = first; j < end(column); ++j) {
-        line[j - begin(column)] = x[j - begin(column)];
-        if (row == column) tile[(j - begin(row)) * kTile + (i - begin(row))] = x[j - begin(column)];
+    NearPairs near;
+    const auto for_each_row = [&](const auto& visit) {
+      for (std::size_t i = begin(row); i < end(row); ++i) {
+        visit(i, row == column ? i + 1 : begin(column), tile + (i - begin(row)) * kTile);
       }
-    }
+    };
+    for_each_row([&](std::size_t i, std::size_t first, float* line) {
+      unoccluded(i, first, column, line, near, counts);
+    });
+    near.evaluate();
+    for_each_row([&](std::size_t i, std::size_t first, float* line) {
+      hide(i, first, column, line, counts);
+      if (row != column) return;
+      for (std::size_t j = first; j < end(column); ++j) {
+        tile[(j - begin(row)) * kTile + (i - begin(row))] = line[j - begin(column)];
+      }
+    });
     return counts;
   }
 
@@ -116,32 +181,51 @@ class Assembly {
     return std::min(begin(block) + kTile, facets_.size());
   }
 
-  void unoccluded(std::size_t i, std::size_t first, int column, std::array<float, kTile>& x,
+  /// A_i F_ij of patch i with the patches from `first` to the end of the tile; those of `near` come
+  /// later.
+  void unoccluded(std::size_t i, std::size_t first, int column, float* line, NearPairs& near,
                   Counts& counts) const {
     std::array<int, kTile> order{};
-    for (std::size_t j = first; j < end(column); ++j) {
+    FarRow row;
+    far_.start(i, begin(column), row);
+    const bool has_rule_i = far_.has_rule(i);
+    const std::size_t last = end(column);
+    for (std::size_t j = first; j < last; ++j) {
       const FacingTable::Pair pair = facing_.relation(i, j);
-      if (pair != FacingTable::Pair::none) {
-        ++counts.facing;
-      } else if (options_.skip) {
+      if (pair == FacingTable::Pair::none && options_.skip) continue;
+      const std::size_t k = j - begin(column);
+      if (pair == FacingTable::Pair::none) {
+        line[k] = static_cast<float>(exchange_area(facets_[i], facets_[j]));
         continue;
       }
-      const Facet &fi = facets_[i], &fj = facets_[j];
-      const double ratio = (fi.centre - fj.centre).norm() / std::max(fi.size_m, fj.size_m);
-      const std::size_t k = j - begin(column);
-      if (pair == FacingTable::Pair::facing && far_.has_rule(i) && far_.has_rule(j)) {
-        order[k] = far_field_order(ratio);
+      ++counts.facing;
+      const int far = far_field_order(row.distance_over_size[k]);
+      if (far > 0 && pair == FacingTable::Pair::facing && has_rule_i && far_.has_rule(j)) {
+        order[k] = far;
+        continue;
       }
-      if (order[k] == 0) x[k] = static_cast<float>(exchange_area(fi, fj));
+      if (const auto closed = far == 0 ? closed_form(i, j) : std::nullopt) {
+        near.add(*closed, std::min(facets_[i].area_m2, facets_[j].area_m2), &line[k]);
+      } else {
+        line[k] = static_cast<float>(exchange_area(facets_[i], facets_[j]));
+      }
     }
-    far_.exchange(i, begin(column), order, x);
+    far_.exchange(row, order, line);
   }
 
-  void hide(std::size_t i, std::size_t first, int column, std::array<float, kTile>& x,
-            Counts& counts) const {
+  /// Of a pair that is near.
+  [[nodiscard]] std::optional<RectanglePair> closed_form(std::size_t i, std::size_t j) const {
+    if (!rectangles_[i] || !rectangles_[j] ||
+        !closed_form_suits(facets_[i].area_m2, facets_[j].area_m2)) {
+      return {};
+    }
+    return aligned(*rectangles_[i], *rectangles_[j]);
+  }
+
+  void hide(std::size_t i, std::size_t first, int column, float* line, Counts& counts) const {
     if (visibility_.unobstructed()) return;
     for (std::size_t j = first; j < end(column); ++j) {
-      float& value = x[j - begin(column)];
+      float& value = line[j - begin(column)];
       if (value == 0 || !visibility_.may_block(static_cast<int>(i), static_cast<int>(j))) continue;
       ++counts.tested;
       const bool lamp = !options_.lamp.empty() && (options_.lamp[i] || options_.lamp[j]);
@@ -156,6 +240,7 @@ class Assembly {
   }
 
   std::vector<Facet> facets_;
+  std::vector<std::optional<AxedRectangle>> rectangles_;
   FacingTable facing_;
   FarField far_;
   const Visibility& visibility_;

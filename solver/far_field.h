@@ -10,43 +10,54 @@ namespace solver {
 /// Patches of one tile row or column; a multiple of every vector length.
 inline constexpr int kTile = 64;
 
-/// One patch i against one vector of patches j, as the kernel reads them.
-struct FarPairs {
-  int points;                      ///< of the product rule, on either side
-  std::size_t stride;              ///< between the arrays of two points
-  const float *xi, *yi, *zi, *wi;  ///< offsets of patch i
-  const float *xj, *yj, *zj, *wj;  ///< offsets of the first patch j
-  std::array<float, 3> ni;         ///< normal of i
-  const float *njx, *njy, *njz;    ///< normals of j
-  const float *rx, *ry, *rz;       ///< centre of j minus centre of i
-  float* out;
+/// One patch i against the patches of a tile column j, seen from centre to centre.
+struct FarRow {
+  using Floats = std::array<float, kTile>;
+  using Doubles = std::array<double, kTile>;
+
+  std::size_t i = 0, first = 0;      ///< patch i, and the first patch j
+  Doubles distance_over_size;        ///< of the larger patch
+  Doubles area_factor_m2;            ///< A_i A_j / (pi r^2)
+  Doubles cosines;                   ///< cos_i cos_j at the centres
+  Floats inverse_m;                  ///< 1 / r
+  Floats twice_x, twice_y, twice_z;  ///< 2 (centre of j - centre of i) / r^2, 1/m
+  Floats cos_i, cos_j;
 };
 
-/// Gauss points of quadrilaterals and triangles for product rules of 2, 3 and 4 points an edge,
-/// laid out so that one vector holds the same point of neighbouring patches. Offsets from the
-/// patch's centre, in float: a far pair keeps 2e-7.
+/// Points of quadrilaterals and triangles for rules that are exact to degree 3, 5 and 7, laid out
+/// so that one vector holds the same point of neighbouring patches. The kernel between the centres
+/// is taken in double; how it differs at the points, which is small where patches are far, in
+/// float. So a far pair keeps rounding to float, 6e-8.
 class FarField {
  public:
+  static constexpr std::size_t kMostPoints = 16;  ///< of a patch
+
   explicit FarField(const std::vector<Facet>& facets);
 
   /// Five and more corners have no product rule here.
   [[nodiscard]] bool has_rule(std::size_t patch) const { return has_rule_[patch]; }
 
-  /// A_i F_ij of patch i with the patches first..first+63 whose order is not 0; other entries are
-  /// left alone.
-  void exchange(std::size_t i, std::size_t first, const std::array<int, kTile>& order,
-                std::array<float, kTile>& exchange_area_m2) const;
+  /// Patch i against the patches first..first+63.
+  void start(std::size_t i, std::size_t first, FarRow& row) const;
+
+  /// A_i F_ij, m^2, by the rules of `order`, where that is not 0; other entries are left alone.
+  void exchange(const FarRow& row, const std::array<int, kTile>& order,
+                float* exchange_area_m2) const;
 
  private:
   struct Rule {
-    int points = 0;
-    std::vector<float> x, y, z, weight;  ///< point-major: [point][padded patch]
+    std::vector<std::size_t> points;  ///< per patch
+    std::vector<float> x, y, z;  ///< offsets from the centre, point-major: [point][padded patch]
+    std::vector<float> weight;   ///< share of the area; 0 beyond a patch's last point
   };
 
+  void add_points(const Facet& facet, std::size_t patch);
+
   std::size_t padded_ = 0;
-  std::array<Rule, 5> rules_;  ///< by points per edge: 2, 3, 4
+  std::array<Rule, 5> rules_;  ///< by the order of exchange(): 2, 3, 4
   std::vector<float> normal_x_, normal_y_, normal_z_;
-  std::vector<double> centre_x_, centre_y_, centre_z_;
+  std::array<std::vector<double>, 3> centre_m_, normal_;
+  std::vector<double> area_m2_, size_m_;
   std::vector<bool> has_rule_;
 };
 

@@ -15,61 +15,11 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 
 constexpr double kOnHorizon_m = 1e-12;
-/// Closed forms are differences of terms as large as the larger area: below this ratio of areas
-/// they keep less than 1e-7.
-constexpr double kTiny = 1e-8;
 constexpr double kNoArea_m2 = 1e-18;  ///< a clipped sliver below this exchanges nothing
 
-/// sum over the corners of both rectangles of (-1)^(i+j+k+l) G
-template <typename Function>
-double corner_sum(Span x, Span y, Span xi, Span eta, Function g) {
-  const auto difference = [&](double xv, double xiv) {
-    return g(xv, xiv, y.from - eta.from) - g(xv, xiv, y.from - eta.to) -
-           g(xv, xiv, y.to - eta.from) + g(xv, xiv, y.to - eta.to);
-  };
-  return difference(x.from, xi.from) - difference(x.from, xi.to) - difference(x.to, xi.from) +
-         difference(x.to, xi.to);
-}
-
-/// Where a rectangle's edges lie along given axes; empty if they are not parallel to them.
-std::optional<std::array<Span, 2>> spans_along(const Facet& f, const Vector3d& origin,
-                                               const Vector3d& first, const Vector3d& second) {
-  const Vector3d edge = (f.vertices[1] - f.vertices[0]).normalized();
-  const double along_first = std::abs(edge.dot(first)), along_second = std::abs(edge.dot(second));
-  if (std::min(along_first, along_second) > 1e-12 || std::max(along_first, along_second) < 0.5) {
-    return {};
-  }
-  const Vector3d a = f.vertices[0] - origin, b = f.vertices[2] - origin;
-  const auto span = [&](const Vector3d& axis) {
-    const auto [from, to] = std::minmax({a.dot(axis), b.dot(axis)});
-    return Span{from, to};
-  };
-  return std::array{span(first), span(second)};
-}
-
-/// Closed form, if both are rectangles with edges along common axes.
-std::optional<double> aligned_rectangles(const Facet& i, const Facet& j) {
-  if (!i.rectangle || !j.rectangle) return {};
-  const double cosine = i.normal.dot(j.normal);
-  if (cosine < -1 + 1e-14) {
-    const Vector3d along = (i.vertices[1] - i.vertices[0]).normalized();
-    const Vector3d across = i.normal.cross(along);
-    const auto a = spans_along(i, i.centre, along, across);
-    const auto b = spans_along(j, i.centre, along, across);
-    if (!a || !b) return {};
-    return parallel_rectangles((*a)[0], (*a)[1], (*b)[0], (*b)[1], i.plane().height_m(j.centre));
-  }
-  if (std::abs(cosine) < 1e-13) {
-    const Vector3d line = i.normal.cross(j.normal);
-    // A point on the common line; i extends along j's normal from it, j along i's.
-    const Vector3d origin = i.centre - j.plane().height_m(i.centre) * j.normal;
-    const auto a = spans_along(i, origin, j.normal, line);
-    const auto b = spans_along(j, origin, i.normal, line);
-    if (!a || !b) return {};
-    const auto in_front = [](Span s) { return Span{std::max(s.from, 0.0), std::max(s.to, 0.0)}; };
-    return perpendicular_rectangles(in_front((*a)[0]), (*a)[1], in_front((*b)[0]), (*b)[1]);
-  }
-  return {};
+std::optional<RectanglePair> aligned_rectangles(const Facet& i, const Facet& j) {
+  const auto a = rectangle_of(i), b = rectangle_of(j);
+  return a && b ? aligned(*a, *b) : std::nullopt;
 }
 
 struct Edge {
@@ -183,30 +133,19 @@ double facing_exchange(const Facet& i, const Facet& j) {
                         j.normal);
   }
   const Facet &small = i.area_m2 <= j.area_m2 ? i : j, &large = i.area_m2 <= j.area_m2 ? j : i;
-  if (small.area_m2 < kTiny * large.area_m2) return gauss_with_exact_inner(small, large);
-  if (const auto closed = aligned_rectangles(i, j)) return *closed;
+  if (!closed_form_suits(i.area_m2, j.area_m2)) return gauss_with_exact_inner(small, large);
+  if (const auto pair = aligned_rectangles(i, j)) return exchange_area(*pair);
   return contour_exchange(small, large);
 }
 
 }  // namespace
 
 double parallel_rectangles(Span x, Span y, Span xi, Span eta, double gap_m) {
-  const double z2 = gap_m * gap_m;
-  return corner_sum(x, y, xi, eta, [z2](double xv, double xiv, double v) {
-    const double u = xv - xiv, a = std::sqrt(u * u + z2), b = std::sqrt(v * v + z2);
-    return (v * a * std::atan(v / a) + u * b * std::atan(u / b) -
-            z2 / 2 * std::log(u * u + v * v + z2)) /
-           (2 * pi);
-  });
+  return exchange_area({Planes::parallel, x, y, xi, eta, gap_m});
 }
 
 double perpendicular_rectangles(Span x, Span y, Span xi, Span eta) {
-  return corner_sum(x, y, xi, eta, [](double xv, double xiv, double d) {
-    const double c2 = xv * xv + xiv * xiv, c = std::sqrt(c2), d2 = d * d;
-    if (c2 + d2 == 0) return 0.0;
-    const double angle = c > 0 ? d * c * std::atan(d / c) : 0;
-    return (angle - (c2 - d2) / 4 * std::log(c2 + d2)) / (2 * pi);
-  });
+  return exchange_area({Planes::perpendicular, x, y, xi, eta});
 }
 
 double point_to_polygon(const Vector3d& point, const Vector3d& normal,
@@ -234,11 +173,19 @@ double point_to_polygon(const Vector3d& point, const Vector3d& normal,
   return sum / (2 * pi);
 }
 
-int far_field_order(double distance_over_size) {
-  if (distance_over_size >= 20) return 2;
-  if (distance_over_size >= 10) return 3;
-  if (distance_over_size >= 5) return 4;
-  return 0;
+double exchange_error_m2(const Facet& i, const Facet& j) {
+  const double distance_m = (i.centre - j.centre).norm(), size_m = std::max(i.size_m, j.size_m);
+  const double ratio = distance_m / size_m, smaller_m2 = std::min(i.area_m2, j.area_m2);
+  if (const int order = far_field_order(ratio)) {
+    // Of what they exchange face to face: what a rule of degree 2 order - 1 leaves of 1 / r^4.
+    return i.area_m2 * j.area_m2 / (pi * distance_m * distance_m) * std::pow(ratio, -2 * order);
+  }
+  if (!closed_form_suits(i.area_m2, j.area_m2)) return 1e-8 * smaller_m2;
+  if (aligned_rectangles(i, j)) {
+    const double reach_m = distance_m + 2 * size_m;
+    return kClosedFormRounding * reach_m * reach_m;
+  }
+  return 3e-8 * smaller_m2;  // both contours, at a gap of a thousandth; else 2e-10
 }
 
 double far_exchange(const std::vector<QuadraturePoint>& from, const Vector3d& from_normal,

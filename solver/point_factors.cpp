@@ -6,11 +6,10 @@
 // Highway compiles this file once per instruction set and picks at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solver/point_factors.cpp"
-// clang-format off
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+// Needs the target that foreach_target.h has chosen.
 #include <hwy/contrib/math/math-inl.h>
-// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 

@@ -56,10 +56,10 @@ TEST(PairFactor, RectanglesAtAnyOffsetAgreeWithSubdividedGauss) {
   EXPECT_NEAR(exchange_area(a, beside) / subdivided(a, beside, 12), 1, 1e-10);
 }
 
-// Both sides of every switch of the distance rule, against the closed form, whose own cancellation
-// is 2e-11 at 10.
+// Far sides of the switches of the distance rule, against the closed form, whose own cancellation
+// is 1e-11 at 14.
 TEST(PairFactor, DistanceRuleKeepsItsAccuracy) {
-  for (const double ratio : {5.001, 7.0, 10.001, 14.0}) {
+  for (const double ratio : {7.001, 10.0, 14.001, 18.0}) {
     const Span unit{0, 1}, shifted{0.4 * ratio, 0.4 * ratio + 1};
     const double gap = ratio * std::sqrt(1 - 0.16);
     const Facet a = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
@@ -71,6 +71,22 @@ TEST(PairFactor, DistanceRuleKeepsItsAccuracy) {
         exchange_area(a, c) / perpendicular_rectangles({ratio - 1, ratio}, unit, {0.2, 1.2}, unit),
         1, 4e-9)
         << ratio;
+  }
+}
+
+// Near and at a middle distance, along common axes and not.
+TEST(PairFactor, ErrorEstimateCoversRandomRectangles) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(0, 1);
+  constexpr double kTruth = 1e-10;  // what the subdivided rule leaves of the value
+  for (int n = 0; n < 60; ++n) {
+    const Eigen::AngleAxisd turn(n % 2 == 0 ? 0 : 0.5 * unit(random),
+                                 Vector3d(1, 2, 3).normalized());
+    const Facet a = rectangle({0, 0, 0}, {0.3 + 0.6 * unit(random), 0, 0}, {0, 0.3, 0});
+    const Vector3d from = Vector3d(unit(random), unit(random), 0.6 + unit(random)) * (n % 3 + 1);
+    const Facet b = rectangle(from, turn * Vector3d(0, 0.5, 0), turn * Vector3d(0.4, 0, 0));
+    const double exact = subdivided(a, b, 14);
+    EXPECT_NEAR(exchange_area(a, b), exact, exchange_error_m2(a, b) + kTruth * exact) << n;
   }
 }
 
