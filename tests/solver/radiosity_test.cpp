@@ -139,16 +139,20 @@ TEST(Progressive, AmbientTermAndOvershootKeepTheBounds) {
   }
 }
 
-// There the ambient term is the whole solution before anything is shot.
+// There the ambient term is the whole solution before anything is shot, but for form factors that
+// are stored in float.
 TEST(Progressive, AmbientTermIsExactInASphere) {
   const ExchangeAreas exchange = sphere(kPatches);
   const Bands s = random_bands(kPatches, 2, 1, 35), d = random_bands(kPatches, 2, 1, 36);
-  const Bands rho = random_bands(kPatches, 2, 0.99, 37);
-  const RadiositySolution solution = solve_radiosity(exchange, s, d, rho, shooting(true, false));
+  const Bands rho = random_bands(kPatches, 2, 0.9, 37);
+  RadiosityOptions options = shooting(true, false);
+  options.relative_error = 1e-5;
+  const RadiositySolution solution = solve_radiosity(exchange, s, d, rho, options);
   EXPECT_EQ(solution.bands[0].iterations, 0);
   const Bands exact = direct_radiosity(dense(exchange), s, d, rho);
-  EXPECT_LT((solution.radiosity / exact - 1).abs().maxCoeff(), 1e-8);
-  EXPECT_GT(solve_radiosity(exchange, s, d, rho, shooting(false, false)).bands[0].iterations, 0);
+  EXPECT_LT((solution.radiosity / exact - 1).abs().maxCoeff(), 1e-6);
+  options.ambient = false;
+  EXPECT_GT(solve_radiosity(exchange, s, d, rho, options).bands[0].iterations, 0);
 }
 
 // What is absorbed is what is emitted, but for the light that an early answer does not know of.
