@@ -105,7 +105,7 @@ MethodResult gauss_seidel(const RadiositySystem& system, const RadiosityOptions&
 }
 
 /// Southwell relaxation [Cohen1988]: the patch with most unshot power shoots all of it. A gather
-/// after as many shots as there are patches costs a hundredth of them.
+/// for the bound costs little beside as many shots as there are patches.
 MethodResult progressive(const RadiositySystem& system, const RadiosityOptions& options) {
   const MatrixXd f = dense_form_factors(system.exchange);
   Shooting shooting(system);
