@@ -90,6 +90,13 @@ void add_options(CLI::App& command, RankOptions& options) {
       ->check(kPositive);
 }
 
+void add_progressive_options(CLI::App& command, RoomOptions& options) {
+  command.add_flag("--ambient", options.radiosity.ambient,
+                   "with --method progressive: add an estimate of the light that is still unshot");
+  command.add_flag("--overshoot", options.radiosity.overshoot,
+                   "with --method progressive: patches shoot also what they are expected to get");
+}
+
 /// Three numbers in place of spectra, and only the methods that suit them.
 void add_colour_option(CLI::App& command, SolveCommand& solve) {
   command.add_option_function<std::string>(
@@ -105,7 +112,12 @@ void add_colour_option(CLI::App& command, SolveCommand& solve) {
       "spectral (default), or three numbers: rgb[:SPACE], bilinear[:SET[:alpha=r,g,b]], "
       "display[:MODE]");
   command.parse_complete_callback([&solve] {
-    const solver::Method method = solve.options.room.radiosity.method;
+    const solver::RadiosityOptions& radiosity = solve.options.room.radiosity;
+    const solver::Method method = radiosity.method;
+    if ((radiosity.ambient || radiosity.overshoot) && method != solver::Method::progressive) {
+      throw CLI::ValidationError(radiosity.ambient ? "--ambient" : "--overshoot",
+                                 "needs --method progressive");
+    }
     if (solve.colour &&
         (method == solver::Method::conjugate_gradients || method == solver::Method::progressive ||
          method == solver::Method::direct)) {
@@ -182,6 +194,7 @@ void add_room_commands(CLI::App& program, CommandLine& line) {
   solve.app().add_option("ROOM", solved->room, "room file")->required();
   add_out(solve.app(), solved->out);
   add_options(solve.app(), solved->options.room);
+  add_progressive_options(solve.app(), solved->options.room);
   add_mesh_options(solve.app(), solved->options);
   add_colour_option(solve.app(), *solved);
 

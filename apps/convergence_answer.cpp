@@ -10,6 +10,7 @@
 #include "apps/paint_wish.h"
 #include "apps/painted_room.h"
 #include "paints/rank_agreement.h"
+#include "solver/ambient_term.h"
 #include "solver/room_response.h"
 
 namespace apps {
@@ -74,6 +75,20 @@ RoomAnswer answer_of(const scenes::Room& room, const solver::RoomTransport& tran
     answer.jab.push_back(jab_of(appearance::view_of_room(
         solver::viewed_light(room, transport, solution, v), room.viewing)));
   }
+  return answer;
+}
+
+RoomAnswer ambient_answer(const scenes::Room& room, const std::vector<solver::ViewedWall>& viewed) {
+  std::vector<scenes::Receiver> points = room.receivers;
+  for (const solver::ViewedWall& wall : viewed) {
+    points.push_back({.name = "", .at_m = wall.at.point_m, .normal = wall.at.normal});
+  }
+  RoomAnswer answer;
+  const solver::Bands irradiance = solver::extended_ambient_term(room, points);
+  for (Eigen::Index p = 0; p < irradiance.rows(); ++p) {
+    answer.irradiance.emplace_back(irradiance.row(p).transpose());
+  }
+  answer.jab.resize(viewed.size());
   return answer;
 }
 

@@ -46,6 +46,10 @@ struct RankingWish {
 [[nodiscard]] RoomAnswer answer_of(const scenes::Room& room, const solver::RoomTransport& transport,
                                    const solver::RoomSolution& solution);
 
+/// The light alone, by the extended ambient term.
+[[nodiscard]] RoomAnswer ambient_answer(const scenes::Room& room,
+                                        const std::vector<solver::ViewedWall>& viewed);
+
 /// The distance of every paint from the target, by the room response.
 /// @throws std::domain_error  if there is no light to view the room by
 [[nodiscard]] std::vector<double> paint_distances(const scenes::Room& room,

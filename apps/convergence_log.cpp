@@ -1,5 +1,6 @@
 #include "apps/convergence_log.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace apps {
@@ -10,6 +11,17 @@ double now_s() {
 }
 
 }  // namespace
+
+void note_solution(ConvergenceRun& run, const Timed<solver::RoomSolution>& solved) {
+  const solver::RadiositySolution& radiosity = solved.value.radiosity;
+  run.solve_s = solved.seconds;
+  run.repeats = solved.repeats;
+  run.iterations = 0;
+  for (const solver::BandReport& band : radiosity.bands) {
+    run.iterations = std::max(run.iterations, band.iterations);
+  }
+  run.converged = radiosity.converged;
+}
 
 ConvergenceLog::ConvergenceLog(double seconds) : end_s_(now_s() + seconds) {}
 

@@ -4,8 +4,12 @@
 #include <vector>
 
 #include "apps/convergence_answer.h"
+#include "apps/convergence_timing.h"
 
 namespace apps {
+
+/// The method without mesh, rays and iterations; solver/ambient_term.h.
+inline constexpr const char* kAmbientTerm = "extended ambient term";
 
 /// One way to compute the room, timed and judged.
 struct ConvergenceRun {
@@ -26,6 +30,8 @@ struct ConvergenceRun {
   std::string quantity;             ///< whose error it is
   std::string reference;            ///< against which
 };
+
+void note_solution(ConvergenceRun& run, const Timed<solver::RoomSolution>& solved);
 
 struct Convergence {
   std::string room;

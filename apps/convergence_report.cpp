@@ -15,7 +15,7 @@ Json to_json(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-/// Lengths that were not set, as in the sweep, have no cell.
+/// What does not belong to a run, as the patch size to the sweep, has no cell.
 std::optional<double> unless_zero(double value) {
   return value > 0 ? std::optional(value) : std::nullopt;
 }
@@ -52,7 +52,9 @@ std::string convergence_csv(const Convergence& convergence) {
     csv.cell(all.max_relative).cell(all.rms_relative).cell(all.distance_jab).cell(all.kendall_tau);
     csv.cell(all.top_overlap ? std::optional<double>(*all.top_overlap) : std::nullopt);
     csv.cell(run.reference).cell(unless_zero(run.patch_m)).cell(run.bands);
-    csv.cell(unless_zero(run.rays)).cell(run.relative_error).cell(run.converged ? "yes" : "no");
+    csv.cell(unless_zero(run.rays))
+        .cell(unless_zero(run.relative_error))
+        .cell(run.converged ? "yes" : "no");
     csv.cell(run.repeats).cell(own.max_relative).cell(own.rms_relative).cell(run.quantity);
     csv.end_row();
   }
@@ -73,6 +75,7 @@ Json describe(const Convergence& convergence) {
 }
 
 std::string settings_of(const ConvergenceRun& run) {
+  if (run.method == kAmbientTerm) return run.method;
   std::string text = fmt::format("patch_m {:.3g}, {}", run.patch_m, run.method);
   if (run.method != "direct") text += fmt::format(" to {:g}", run.relative_error);
   return text + fmt::format(", {} rays, {} bands", run.rays, run.bands);

@@ -35,14 +35,6 @@ RadiosityOptions tight() {
   return {.method = Method::conjugate_gradients, .relative_error = kTight};
 }
 
-int most_iterations(const RoomSolution& solution) {
-  int most = 0;
-  for (const solver::BandReport& band : solution.radiosity.bands) {
-    most = std::max(most, band.iterations);
-  }
-  return most;
-}
-
 class Experiment {
  public:
   Experiment(RoomRun& run, const ConvergenceOptions& options)
@@ -63,12 +55,12 @@ class Experiment {
   [[nodiscard]] RoomAnswer answer(const scenes::Room& room, const RoomTransport& transport,
                                   const RoomSolution& solution) const;
   void rank(RoomAnswer& answer, const scenes::Room& room, const RoomTransport& transport) const;
-  void note_solution(ConvergenceRun& run, const Timed<RoomSolution>& solved) const;
 
   void make_baseline();
   void make_reference();
   [[nodiscard]] bool affordable_reference(double factor) const;
   void add_tolerances(const SolverMethod& method);
+  void add_ambient_term();
   void add_transport(ConvergenceRun run, const solver::TransportOptions& options,
                      const RoomAnswer* own_judge);
   void add_patch_sizes();
@@ -118,13 +110,6 @@ void Experiment::rank(RoomAnswer& answer, const scenes::Room& room,
   if (!wish_.task) return;
   answer.paint_distance =
       seeing(run_, [&] { return paint_distances(room, transport, *wish_.task); });
-}
-
-void Experiment::note_solution(ConvergenceRun& run, const Timed<RoomSolution>& solved) const {
-  run.solve_s = solved.seconds;
-  run.repeats = solved.repeats;
-  run.iterations = most_iterations(solved.value);
-  run.converged = solved.value.radiosity.converged;
 }
 
 void Experiment::make_baseline() {
@@ -209,6 +194,22 @@ void Experiment::add_tolerances(const SolverMethod& method) {
   }
 }
 
+/// The cheapest answer: no mesh, no rays, nothing to iterate.
+void Experiment::add_ambient_term() {
+  const Timed<RoomAnswer> found =
+      timed([&] { return ambient_answer(run_.room, run_.transport.viewed); });
+  log_.add({.factor = "method",
+            .method = kAmbientTerm,
+            .bands = run_.room.grid.count,
+            .converged = true,
+            .repeats = found.repeats,
+            .solve_s = found.seconds,
+            .errors = errors_of(found.value, reference_),
+            .own = errors_of(found.value, exact_),
+            .quantity = kPerBand,
+            .reference = fmt::format("patch_m {:.3g}", reference_m_)});
+}
+
 /// A run that needs a transport of its own. @param own_judge  null: the reference
 void Experiment::add_transport(ConvergenceRun run, const solver::TransportOptions& options,
                                const RoomAnswer* own_judge) {
@@ -238,8 +239,7 @@ void Experiment::add_patch_sizes() {
       log_.leave_out(what, "the reference is hardly finer");
       continue;
     }
-    const double needed = setup_s_ * std::pow(factor, -4);
-    if (!log_.may_start(what, needed)) continue;
+    if (!log_.may_start(what, setup_s_ * std::pow(factor, -4))) continue;
     add_transport(baseline_run("patch_m", fmt::format("{:.3g}", options.patch_m)), options,
                   nullptr);
   }
@@ -373,9 +373,10 @@ Convergence Experiment::measure() {
   log_.add(std::move(baseline));
 
   const std::vector<SolverMethod>& methods = solver_methods();
-  std::vector<std::function<void()>> steps{[&] { add_tolerances(methods.front()); },
-                                           [&] { add_patch_sizes(); }, [&] { add_rays(); },
-                                           [&] { add_bands(); }, [&] { sweep(); }};
+  std::vector<std::function<void()>> steps{
+      [&] { add_ambient_term(); }, [&] { add_tolerances(methods.front()); },
+      [&] { add_patch_sizes(); },  [&] { add_rays(); },
+      [&] { add_bands(); },        [&] { sweep(); }};
   for (std::size_t m = 1; m < methods.size(); ++m) {
     steps.emplace_back([&, m] { add_tolerances(methods[m]); });
   }

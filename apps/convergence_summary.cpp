@@ -110,6 +110,12 @@ std::string methods(const Convergence& convergence) {
     }
     text += best.empty() ? " none.\n" : ".\n";
   }
+  for (const ConvergenceRun& run : convergence.runs) {
+    if (run.method != kAmbientTerm || !run.errors.max_relative) continue;
+    text += fmt::format("  The {}, without mesh and rays: {:.2g} s; off by {}, RMS {}.\n",
+                        run.method, run.solve_s, percent(*run.errors.max_relative),
+                        percent(*run.errors.rms_relative));
+  }
   return text;
 }
 

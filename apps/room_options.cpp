@@ -46,6 +46,8 @@ Json to_json(const SolveOptions& options) {
   Json json = to_json(options.room);
   json["tolerance"] = options.tolerance > 0 ? Json(options.tolerance) : Json();
   json["richardson"] = options.richardson;
+  json["ambient"] = options.room.radiosity.ambient;
+  json["overshoot"] = options.room.radiosity.overshoot;
   return json;
 }
 

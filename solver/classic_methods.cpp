@@ -19,6 +19,58 @@ MatrixXd dense_form_factors(const ExchangeAreas& exchange) {
   return f;
 }
 
+/// What is left to shoot, and where it will end if every patch sees every other as in a sphere,
+/// F_ij = A_j / sum A: unshot light u makes the mean irradiance u / (1 - mean rho) everywhere
+/// [Cohen1988].
+class Shooting {
+ public:
+  explicit Shooting(const RadiositySystem& system)
+      : reflectance_(system.reflector.numbers()),
+        share_((system.exchange.area_m2 / system.exchange.area_m2.sum()).matrix()),
+        fading_(1 - (share_.transpose() * reflectance_.matrix()).array()),
+        radiosity_(system.emission + reflectance_ * system.direct),
+        unshot_(radiosity_) {}
+
+  /// The patch with most power left, summed over bands; with `overshoot`, with most of what it
+  /// should have shot in the end.
+  [[nodiscard]] Index brightest(bool overshoot) const {
+    Index j = 0;
+    if (overshoot) {
+      const Bands expected = unshot_ + reflectance_.rowwise() * ambient();
+      (expected.abs().rowwise().sum() * share_.array()).maxCoeff(&j);
+    } else {
+      (unshot_.rowwise().sum() * share_.array()).maxCoeff(&j);
+    }
+    return j;
+  }
+
+  /// What is shot ahead of its arrival is owed: the patch is left with less than nothing.
+  void shoot(Index j, const MatrixXd& form_factors, bool overshoot) {
+    const BandRow ahead =
+        overshoot ? BandRow(reflectance_.row(j) * ambient()) : BandRow::Zero(unshot_.cols());
+    const Eigen::RowVectorXd shot = unshot_.row(j) + ahead;
+    unshot_.row(j) = -ahead;
+    const Bands arriving = (form_factors.col(j) * shot).array() * reflectance_;
+    radiosity_ += arriving;
+    unshot_ += arriving;
+  }
+
+  [[nodiscard]] Bands answer(bool with_ambient) const {
+    if (!with_ambient) return radiosity_;
+    return radiosity_ + reflectance_.rowwise() * ambient();
+  }
+
+ private:
+  [[nodiscard]] BandRow ambient() const {
+    return (share_.transpose() * unshot_.matrix()).array() / fading_;
+  }
+
+  const Bands& reflectance_;
+  Eigen::VectorXd share_;     ///< of each patch in the area
+  BandRow fading_;            ///< 1 - mean rho
+  Bands radiosity_, unshot_;  ///< the first includes the second
+};
+
 Eigen::ArrayXi count(const RadiositySystem& system, int iterations) {
   return Eigen::ArrayXi::Constant(system.bands(), iterations);
 }
@@ -52,31 +104,19 @@ MethodResult gauss_seidel(const RadiositySystem& system, const RadiosityOptions&
   return {std::move(proof), count(system, sweeps)};
 }
 
-/// Southwell relaxation [Cohen1988]: the patch with most unshot power, summed over bands, shoots
-/// all of it. The unshot radiosities U are the residual, (1 - rho F)(B_exact - B) = U, so they
-/// bound the error without a gather.
+/// Southwell relaxation [Cohen1988]: the patch with most unshot power shoots all of it. A gather
+/// for the bound costs little beside as many shots as there are patches.
 MethodResult progressive(const RadiositySystem& system, const RadiosityOptions& options) {
   const MatrixXd f = dense_form_factors(system.exchange);
-  const ArrayXd& area = system.exchange.area_m2;
-  const Bands& reflectance = system.reflector.numbers();
-  Bands b = system.emission + reflectance * system.direct, unshot = b;
-  Certificate proof = certify(system, b, options.relative_error);
+  Shooting shooting(system);
+  Certificate proof = certify(system, shooting.answer(options.ambient), options.relative_error);
   int sweeps = 0;
   for (; sweeps < options.max_iterations && !proof.converged(); ++sweeps) {
     for (Index shot = 0; shot < system.patches(); ++shot) {
-      Index j = 0;
-      (unshot.rowwise().sum() * area).maxCoeff(&j);
-      const Eigen::RowVectorXd power = unshot.row(j);
-      unshot.row(j).setZero();
-      const Bands arriving = (f.col(j) * power).array() * reflectance;
-      b += arriving;
-      unshot += arriving;
+      shooting.shoot(shooting.brightest(options.overshoot), f, options.overshoot);
     }
-    if ((error_norms(system, unshot) <= proof.allowed).all()) {
-      proof = certify(system, b, options.relative_error);
-    }
+    proof = certify(system, shooting.answer(options.ambient), options.relative_error);
   }
-  proof = certify(system, b, options.relative_error);
   return {std::move(proof), count(system, sweeps)};
 }
 

@@ -42,6 +42,9 @@ void check(const ExchangeAreas& exchange, const Bands& emission, const Bands& di
   require(direct.isFinite().all(), "direct irradiance up to", direct.maxCoeff(), "finite values");
   require(options.relative_error > 0, "relative error", options.relative_error, "more than 0");
   require(options.max_iterations > 0, "iterations", options.max_iterations, "more than 0");
+  if ((options.ambient || options.overshoot) && options.method != Method::progressive) {
+    throw std::invalid_argument("ambient term and overshoot need the method progressive");
+  }
 }
 
 /// Bands that carry light; all or none where they exchange it; all without `skip`.

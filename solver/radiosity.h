@@ -31,6 +31,11 @@ struct RadiosityOptions {
       1e-6;                     ///< stop when a band's rms_error_bound <= this * its rms irradiance
   int max_iterations = 100000;  ///< sweeps over the matrix (progressive: shots / patches)
   bool skip = true;  ///< false: bands without light, and bands that repeat another, are solved too
+  /// Progressive: its answer has the light that is still unshot too, as far as that can be told
+  /// without form factors [Cohen1988].
+  bool ambient = false;
+  /// Progressive: a patch also shoots what it is so expected to get [Feda1992] [Gortler1994].
+  bool overshoot = false;
 };
 
 /// Per band. The bounds hold whatever the method and whether or not it converged, up to rounding in
@@ -64,7 +69,7 @@ struct RadiositySolution {
 /// is similar to a symmetric matrix whose rows sum to 1), and (1 - rho F)(B - B_exact) = B - B',
 /// hence ||B - B_exact|| <= ||B - B'|| / (1 - rho_max).
 /// @throws std::invalid_argument  if sizes differ, a value is not finite or negative, or rho is not
-/// in [0, 1), or the method does not suit
+/// in [0, 1), or the method does not suit reflector or options
 [[nodiscard]] RadiositySolution solve_radiosity(const ExchangeAreas& exchange,
                                                 const Bands& emission, const Bands& direct,
                                                 const Bands& reflectance,

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/huge_pages.h"
+
 namespace solver {
 
 /// A symmetric matrix in float: tiles of 64 x 64 on and above the diagonal, row-major inside; tiles
@@ -10,8 +12,8 @@ namespace solver {
 struct SymmetricTiles {
   static constexpr std::int64_t kAbsent = -1;
 
-  int blocks = 0;                    ///< tiles along an edge
-  std::vector<float> values;         ///< stored tiles, one after another
+  int blocks = 0;                               ///< tiles along an edge
+  std::vector<float, HugePages<float>> values;  ///< stored tiles, one after another
   std::vector<std::int64_t> offset;  ///< of tile (row, column), row <= column, in `values`; kAbsent
 
   [[nodiscard]] std::size_t index(int row, int column) const {
@@ -27,12 +29,20 @@ struct SymmetricTiles {
 inline constexpr std::size_t kColumnPad = 16;
 
 /// y = matrix * b, dense operands row-major with 64 * blocks rows and `columns` (a multiple of
-/// kColumnPad) columns. Every row of y is summed in the order of its tiles, whatever the number of
-/// threads. In double the entries are widened exactly.
+/// kColumnPad) columns. The order in which rows of y are summed depends on the number of blocks
+/// alone, not on that of threads. In double the entries are widened exactly.
 void multiply(const SymmetricTiles& matrix, const float* b, float* y, std::size_t columns);
 void multiply(const SymmetricTiles& matrix, const double* b, double* y, std::size_t columns);
 
 /// The same of a vector of 64 * blocks numbers.
 void multiply(const SymmetricTiles& matrix, const double* v, double* y);
+
+/// The rows of the dense operands that a tile connects, as the kernels take them.
+template <typename T>
+struct TileOperands {
+  const T *b_row, *b_column;
+  T *y_row, *y_column;  ///< the same for a tile on the diagonal
+  std::size_t columns;
+};
 
 }  // namespace solver

@@ -83,7 +83,9 @@ TEST(Convergence, WritesARowPerRunAndErrorsThatFallWithPatchSizeAndTolerance) {
   }
   EXPECT_THAT(factors, IsSupersetOf({"baseline", "method", "patch_m", "bands", "reflectance"}));
   EXPECT_EQ(factors.count("rays"), 0U);
-  EXPECT_THAT(methods, IsSupersetOf({"cg", "jacobi", "gauss-seidel", "progressive", "direct"}));
+  EXPECT_THAT(methods, IsSupersetOf({"extended ambient term", "cg", "jacobi", "gauss-seidel",
+                                     "progressive", "progressive with ambient term",
+                                     "progressive with overshoot", "direct"}));
   ASSERT_GE(error_by_patch_m.size(), 4U);
   EXPECT_LT(2 * error_by_patch_m.begin()->second, error_by_patch_m.rbegin()->second);
   ASSERT_GE(error_by_tolerance.size(), 5U);

@@ -5,7 +5,6 @@
 
 #include "scenes/room_json.h"
 #include "solver/room_light.h"
-#include "solver/tile_product.h"
 
 namespace {
 
@@ -30,29 +29,6 @@ void BM_Exchange(benchmark::State& state, const char* name) {
   state.counters["patches"] = mesh.size();
 }
 
-/// X times n x columns in float or double, in GFLOP/s.
-template <typename T>
-void BM_Product(benchmark::State& state) {
-  const auto blocks = static_cast<int>(state.range(0) / 64);
-  const auto columns = static_cast<std::size_t>(state.range(1));
-  solver::SymmetricTiles tiles{.blocks = blocks};
-  for (int row = 0; row < blocks; ++row) {
-    for (int column = row; column < blocks; ++column) {
-      tiles.offset.push_back(static_cast<std::int64_t>(tiles.offset.size()) * 64 * 64);
-    }
-  }
-  tiles.values.assign(tiles.offset.size() * 64 * 64, 0.5F);
-  const std::size_t n = static_cast<std::size_t>(blocks) * 64;
-  std::vector<T> b(n * columns, T{1}), y(n * columns);
-  for (auto _ : state) {
-    solver::multiply(tiles, b.data(), y.data(), columns);
-    benchmark::ClobberMemory();
-  }
-  if (y.back() != static_cast<T>(n) / 2) state.SkipWithError("wrong product");
-  state.counters["FLOP/s"] = benchmark::Counter(2.0 * static_cast<double>(n * n * columns),
-                                                benchmark::Counter::kIsIterationInvariantRate);
-}
-
 /// One solve of all bands with the geometry at hand.
 void BM_Solve(benchmark::State& state, const char* name) {
   const scenes::Room room = sample_room(name);
@@ -70,15 +46,6 @@ void BM_Solve(benchmark::State& state, const char* name) {
 
 BENCHMARK_CAPTURE(BM_Exchange, box, "box")->ArgName("patch_cm")->Arg(25)->UseRealTime();
 BENCHMARK_CAPTURE(BM_Exchange, office, "office")->ArgName("patch_cm")->Arg(25)->UseRealTime();
-BENCHMARK_TEMPLATE(BM_Product, float)
-    ->ArgNames({"patches", "bands"})
-    ->Args({2048, 32})
-    ->Args({2048, 16})
-    ->UseRealTime();
-BENCHMARK_TEMPLATE(BM_Product, double)
-    ->ArgNames({"patches", "bands"})
-    ->Args({2048, 32})
-    ->UseRealTime();
 BENCHMARK_CAPTURE(BM_Solve, box, "box")->ArgName("patch_cm")->Arg(25)->UseRealTime();
 BENCHMARK_CAPTURE(BM_Solve, office, "office")->ArgName("patch_cm")->Arg(25)->UseRealTime();
 

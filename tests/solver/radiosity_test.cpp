@@ -92,6 +92,111 @@ TEST_P(EveryMethod, AbsorbsWhatIsEmitted) {
   EXPECT_NEAR(absorbed / (area * (s + d).col(0)).sum(), 1, 1e-8);
 }
 
+constexpr RadiosityOptions kShooting{.method = Method::progressive, .relative_error = 1e-8};
+
+RadiosityOptions shooting(bool ambient, bool overshoot) {
+  RadiosityOptions options = kShooting;
+  options.ambient = ambient;
+  options.overshoot = overshoot;
+  return options;
+}
+
+/// Inside a sphere F_ij = A_j / sum A.
+ExchangeAreas sphere(int patches) {
+  const ArrayXd area = random_bands(patches, 1, 1, 30).col(0) + 0.1;
+  return close_exchange(area.matrix() * area.matrix().transpose() / area.sum(), area);
+}
+
+/// A row of rooms, each of which sees only itself and its neighbours.
+ExchangeAreas corridor(int rooms) {
+  constexpr int kOfRoom = 8;
+  const int n = rooms * kOfRoom;
+  const MatrixXd x = MatrixXd::NullaryExpr(n, n, [](auto i, auto j) {
+    const auto apart = std::abs(i / kOfRoom - j / kOfRoom);
+    return apart == 0 ? 1.0 : apart == 1 ? 0.5 : 0.0;
+  });
+  return close_exchange(x, ArrayXd::Ones(n));
+}
+
+TEST(Progressive, AmbientTermAndOvershootKeepTheBounds) {
+  const ExchangeAreas exchange = random_enclosure(kPatches, 31);
+  const Bands s = random_bands(kPatches, kBands, 10, 32), d = random_bands(kPatches, kBands, 5, 33);
+  const Bands rho = random_bands(kPatches, kBands, 0.95, 34);
+  const Bands exact = direct_radiosity(dense(exchange), s, d, rho);
+  for (const auto& [ambient, overshoot] :
+       {std::pair{true, false}, std::pair{false, true}, std::pair{true, true}}) {
+    for (const int most_sweeps : {1, 100}) {
+      RadiosityOptions options = shooting(ambient, overshoot);
+      options.max_iterations = most_sweeps;
+      const RadiositySolution solution = solve_radiosity(exchange, s, d, rho, options);
+      EXPECT_TRUE(solution.converged || most_sweeps == 1);
+      for (int k = 0; k < kBands; ++k) {
+        const ArrayXd wrong = solution.radiosity.col(k) - exact.col(k);
+        EXPECT_LE(std::sqrt((exchange.area_m2 * wrong.square()).sum()),
+                  solution.bands[static_cast<std::size_t>(k)].norm_error_bound + 1e-11);
+      }
+    }
+  }
+}
+
+// There the ambient term is the whole solution before anything is shot, but for form factors that
+// are stored in float.
+TEST(Progressive, AmbientTermIsExactInASphere) {
+  const ExchangeAreas exchange = sphere(kPatches);
+  const Bands s = random_bands(kPatches, 2, 1, 35), d = random_bands(kPatches, 2, 1, 36);
+  const Bands rho = random_bands(kPatches, 2, 0.9, 37);
+  RadiosityOptions options = shooting(true, false);
+  options.relative_error = 1e-5;
+  const RadiositySolution solution = solve_radiosity(exchange, s, d, rho, options);
+  EXPECT_EQ(solution.bands[0].iterations, 0);
+  const Bands exact = direct_radiosity(dense(exchange), s, d, rho);
+  EXPECT_LT((solution.radiosity / exact - 1).abs().maxCoeff(), 1e-6);
+  options.ambient = false;
+  EXPECT_GT(solve_radiosity(exchange, s, d, rho, options).bands[0].iterations, 0);
+}
+
+// What is absorbed is what is emitted, but for the light that an early answer does not know of.
+TEST(Progressive, AmbientTermKeepsTheEnergyOfAnEarlyAnswer) {
+  const ExchangeAreas exchange = corridor(12);
+  const int n = exchange.patches();
+  Bands s = Bands::Zero(n, 1);
+  s.topRows(2).setConstant(1);
+  const Bands rho = random_bands(n, 1, 0.2, 38) + 0.75;
+  const auto lost = [&](bool ambient) {
+    RadiosityOptions options = shooting(ambient, false);
+    options.max_iterations = 1;
+    const RadiositySolution early = solve_radiosity(exchange, s, 0 * s, rho, options);
+    const double absorbed = ((1 - rho) * early.irradiance).colwise().sum()[0];
+    return std::abs(1 - absorbed / s.sum());
+  };
+  EXPECT_GT(lost(false), 0.1);
+  EXPECT_LT(lost(true), 0.5 * lost(false));
+}
+
+TEST(Progressive, OvershootNeedsFewerShotsInACorridor) {
+  const ExchangeAreas exchange = corridor(12);
+  const int n = exchange.patches();
+  const Bands s = random_bands(n, 1, 1, 39);
+  const auto sweeps = [&](double reflectance, bool overshoot) {
+    const Bands rho = Bands::Constant(n, 1, reflectance);
+    const RadiositySolution solution =
+        solve_radiosity(exchange, s, 0 * s, rho, shooting(false, overshoot));
+    EXPECT_TRUE(solution.converged);
+    return solution.bands[0].iterations;
+  };
+  EXPECT_LT(sweeps(0.9, true), sweeps(0.9, false));
+  EXPECT_LT(sweeps(0.99, true), 0.5 * sweeps(0.99, false));
+}
+
+TEST(Progressive, OtherMethodsRefuseItsOptions) {
+  const ExchangeAreas exchange = sphere(10);
+  const Bands s = Bands::Ones(10, 1);
+  for (RadiosityOptions options : {shooting(true, false), shooting(false, true)}) {
+    options.method = Method::jacobi;
+    EXPECT_THROW((void)solve_radiosity(exchange, s, s, 0.5 * s, options), std::invalid_argument);
+  }
+}
+
 TEST(SolveRadiosity, HalfBlackRoomNeedsNoDivisionByReflectance) {
   const ExchangeAreas exchange = random_enclosure(kPatches, 12);
   Bands rho = random_bands(kPatches, kBands, 0.9, 13);
