@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kCoplanarM = 1e-9;  // faces nearer than this touch
 constexpr double kMostPatches = 2e7;
+/// Cells along the edges of floor, ceiling and walls, where light changes fastest, are half as
+/// wide.
+constexpr double kAtEdges = 0.5;
 
 using Outline = std::vector<Eigen::Vector3d>;  // counter-clockwise seen from the room
 
@@ -88,6 +91,7 @@ struct WholeFace {
   int surface = 0;
   std::vector<Region> regions;
   int plane_number = 0;
+  double at_edges = 1;  ///< CellSize::at_edges
 };
 
 WholeFace whole_face(Outline outline, int surface) {
@@ -106,6 +110,7 @@ std::vector<WholeFace> whole_faces(const Room& room) {
   std::vector<WholeFace> faces;
   for (Outline& outline : shell(room)) {
     faces.push_back(whole_face(std::move(outline), static_cast<int>(faces.size())));
+    faces.back().at_edges = kAtEdges;
   }
   for (int i = 0; i < static_cast<int>(room.surfaces.size()); ++i) {
     const Surface& s = room.surfaces[static_cast<std::size_t>(i)];
@@ -181,7 +186,8 @@ struct Patch {
 void cut_into_patches(const WholeFace& face, double patch_m,
                       std::vector<std::vector<Patch>>& of_surface) {
   const PlaneCoordinates& plane = face.plane;
-  for (const Piece& piece : cut_surface(plane.flatten(face.outline), face.regions, patch_m)) {
+  const CellSize size{.patch_m = patch_m, .at_edges = face.at_edges};
+  for (const Piece& piece : cut_surface(plane.flatten(face.outline), face.regions, size)) {
     const int surface = piece.label == 0 ? face.surface : piece.label;
     Patch patch{.polygon = {},
                 .centre = plane.lift(centroid(piece.outline)),

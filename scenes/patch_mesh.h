@@ -26,9 +26,9 @@ struct Occluders {
   std::vector<std::array<Eigen::Vector3d, 3>> triangles;  ///< counter-clockwise seen from the room
 };
 
-/// Cuts every surface into convex patches with no edge longer than `patch_m`. Patch edges follow
-/// openings, panels and the contact lines of furniture exactly; faces that touch each other (nearer
-/// than 1e-9 m) are removed on both sides. Floors are gridded along their longest edge.
+/// Cuts every surface into convex patches with no edge longer than `patch_m`, half as wide along
+/// the edges of the room, that follow openings, panels and contact lines of furniture; faces that
+/// touch (nearer than 1e-9 m) are removed on both sides. Grids lie along the face's longest edge.
 /// @param room  its boxes lie inside and do not overlap, as scenes::read_room ensures
 /// @throws std::invalid_argument  if patch_m is not positive or the plan is not a simple polygon
 /// @throws std::length_error  if patch_m asks for more than 20 million patches

@@ -201,34 +201,59 @@ std::vector<Face> convex_faces(Mesh& mesh, const Polygon& outline) {
   return convex;
 }
 
-/// Lines at right angles to one coordinate, from left to right: along every edge at right angles to
-/// it, and evenly in between.
-std::vector<Line> grid_lines(const std::vector<Polygon>& outlines, Eigen::Index coordinate,
-                             double patch_m) {
-  std::vector<double> stops;
-  for (const Polygon& outline : outlines) {
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const double here = outline[i][coordinate];
-      const double next = outline[(i + 1) % outline.size()][coordinate];
-      if (std::abs(next - here) <= kSnapM) stops.push_back(here);
-    }
-  }
-  const auto by_coordinate = [coordinate](const auto& p) { return p[coordinate]; };
-  const auto [low, high] = std::ranges::minmax(outlines.front(), {}, by_coordinate);
-  stops.insert(stops.end(), {low[coordinate], high[coordinate]});
-  std::ranges::sort(stops);
-  const auto close = [](double a, double b) { return b - a <= kSnapM; };
-  stops.erase(std::unique(stops.begin(), stops.end(), close), stops.end());
+/// Where a grid line must be, and on which of its sides an edge of the outline has its face.
+struct Stop {
+  double at_m = 0;
+  bool face_below = false, face_above = false;
+};
 
+/// Along one coordinate, in order: at the ends and at every edge at right angles to it.
+std::vector<Stop> grid_stops(const Polygon& outline, const std::vector<Region>& regions,
+                             Eigen::Index coordinate) {
+  const auto along = [coordinate](const auto& p) { return p[coordinate]; };
+  const auto [low, high] = std::ranges::minmax(outline, {}, along);
+  std::vector<Stop> stops{{.at_m = low[coordinate]}, {.at_m = high[coordinate]}};
+  const auto add_edges = [&](const Polygon& polygon, bool bounds_face) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Eigen::Vector2d edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+      if (std::abs(edge[coordinate]) > kSnapM) continue;
+      const bool below = (edge[1 - coordinate] > 0) == (coordinate == 0);  // on its left
+      stops.push_back({polygon[i][coordinate], bounds_face && below, bounds_face && !below});
+    }
+  };
+  add_edges(outline, true);
+  for (const Region& region : regions) {
+    if (region.label != kCutAway) add_edges(region.outline, false);
+  }
+  std::ranges::sort(stops, {}, &Stop::at_m);
+  std::vector<Stop> distinct;
+  for (const Stop& s : stops) {
+    if (distinct.empty() || s.at_m - distinct.back().at_m > kSnapM) distinct.push_back({s.at_m});
+    distinct.back().face_below |= s.face_below;
+    distinct.back().face_above |= s.face_above;
+  }
+  return distinct;
+}
+
+/// Lines at right angles to one coordinate, from left to right: at every stop, and in between in
+/// cells of one width, but for those at an edge of the outline.
+std::vector<Line> grid_lines(const std::vector<Stop>& stops, Eigen::Index coordinate,
+                             const CellSize& size) {
   const Eigen::Vector2d direction =
       coordinate == 0 ? Eigen::Vector2d(0, 1) : Eigen::Vector2d(-1, 0);
   std::vector<Line> lines;
   for (std::size_t i = 1; i < stops.size(); ++i) {
-    const double length_m = stops[i] - stops[i - 1];
-    const int cells = std::max(1, static_cast<int>(std::ceil((length_m - kSnapM) / patch_m)));
+    const Stop &low = stops[i - 1], &high = stops[i];
+    const double length_m = high.at_m - low.at_m;
+    const bool one_cell = length_m - kSnapM <= size.patch_m;
+    const double less_low = low.face_above && !one_cell ? 1 - size.at_edges : 0,
+                 less_high = high.face_below && !one_cell ? 1 - size.at_edges : 0,
+                 whole_cells = (length_m - kSnapM) / size.patch_m;
+    const int cells = std::max(1, static_cast<int>(std::ceil(whole_cells + less_low + less_high)));
     for (int k = 0; k < cells; ++k) {
-      const double stop = stops[i - 1] + k * length_m / cells;
-      lines.push_back({.point = Eigen::Vector2d::Constant(stop), .direction = direction});
+      const double before = k == 0 ? 0 : k - less_low;
+      const double stop_m = low.at_m + before * length_m / (cells - less_low - less_high);
+      lines.push_back({.point = Eigen::Vector2d::Constant(stop_m), .direction = direction});
     }
   }
   return lines;
@@ -314,19 +339,18 @@ std::vector<Polygon> convex_pieces(const Polygon& outline) {
 }
 
 std::vector<Piece> cut_surface(const Polygon& outline, const std::vector<Region>& regions,
-                               double patch_m) {
-  std::vector<Polygon> followed{outline};
-  for (const Region& region : regions) {
-    if (region.label != kCutAway) followed.push_back(region.outline);
-  }
+                               const CellSize& size) {
+  const auto lines = [&](Eigen::Index coordinate) {
+    return grid_lines(grid_stops(outline, regions, coordinate), coordinate, size);
+  };
   Mesh mesh;
   std::vector<Face> rows, faces;
-  cut_by_lines(mesh, convex_faces(mesh, outline), grid_lines(followed, 1, patch_m), rows);
-  const std::vector<Line> columns = grid_lines(followed, 0, patch_m);
+  cut_by_lines(mesh, convex_faces(mesh, outline), lines(1), rows);
+  const std::vector<Line> columns = lines(0);
   for (const Face row : rows) cut_by_lines(mesh, {row}, columns, faces);
 
   std::vector<Piece> pieces;
-  for (const Face face : shorten_edges(mesh, cut_out(mesh, faces, regions), patch_m)) {
+  for (const Face face : shorten_edges(mesh, cut_out(mesh, faces, regions), size.patch_m)) {
     const int label = mesh.label(face);
     if (label == kCutAway) continue;
     pieces.push_back({without_collinear_corners(outline_of(mesh, face), kStraightM), label});

@@ -22,11 +22,17 @@ struct Piece {
 /// Cuts a simple polygon into convex ones by extending edges at its reflex corners.
 [[nodiscard]] std::vector<Polygon> convex_pieces(const Polygon& outline);
 
-/// Cuts a simple polygon into convex pieces with edges no longer than `patch_m`: evenly by lines
-/// along the two coordinates, which also follow all axis-parallel edges of the outline and of the
-/// regions that stay, and then around each region, where only pieces that meet it are cut. What
-/// lies in a region `kCutAway` is left out. Row by row, always in the same order.
+struct CellSize {
+  double patch_m = 0;   ///< no edge of a piece is longer
+  double at_edges = 1;  ///< width of the cells along axis-parallel edges of the outline, relative
+};
+
+/// Cuts a simple polygon into convex pieces: by lines along the two coordinates, which also follow
+/// all axis-parallel edges of the outline and of the regions that stay, evenly in between but for
+/// the cells along the outline; and then around each region, where only pieces that meet it are
+/// cut. What lies in a region `kCutAway` is left out. Row by row, always in the same order.
 [[nodiscard]] std::vector<Piece> cut_surface(const Polygon& outline,
-                                             const std::vector<Region>& regions, double patch_m);
+                                             const std::vector<Region>& regions,
+                                             const CellSize& size);
 
 }  // namespace scenes

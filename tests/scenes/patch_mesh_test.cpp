@@ -215,13 +215,47 @@ TEST_P(EveryRoom, IsTheSameEveryTime) {
   EXPECT_EQ(again.surface, mesh_.surface);
 }
 
-TEST(MeshRoom, EmptyBoxIsAUniformGridOfRectangles) {
+TEST(MeshRoom, EmptyBoxIsAGridOfRectangles) {
   const PatchMesh mesh = mesh_room(rectangular_room(5, 4, 2.7).room(), 0.25);
-  EXPECT_EQ(mesh.size(), 2 * 20 * 16 + 2 * 11 * (20 + 16));
+  EXPECT_EQ(mesh.size(), 2 * 21 * 17 + 2 * 12 * (21 + 17));
   for (const auto& polygon : mesh.polygon) EXPECT_EQ(polygon.size(), 4U);
   EXPECT_EQ(std::set<int>(mesh.plane.begin(), mesh.plane.end()).size(), 6U);
   // Exact coordinates: an axis-aligned room needs no tolerance anywhere.
   for (const auto& corner : mesh.polygon[0]) EXPECT_EQ(corner.z(), 0);
+}
+
+/// Widths of the patches of a surface along x, from west to east.
+std::vector<double> widths_m(const PatchMesh& mesh, int surface) {
+  std::set<double> lines;
+  for (std::size_t i = 0; i < mesh.polygon.size(); ++i) {
+    if (mesh.surface[i] != surface) continue;
+    for (const Eigen::Vector3d& corner : mesh.polygon[i]) lines.insert(corner.x());
+  }
+  std::vector<double> widths;
+  for (auto line = std::next(lines.begin()); line != lines.end(); ++line) {
+    widths.push_back(*line - *std::prev(line));
+  }
+  return widths;
+}
+
+TEST(MeshRoom, CellsAlongTheEdgesOfTheRoomAreHalfAsWide) {
+  const auto widths = [](const Room& room, const char* surface) {
+    return widths_m(mesh_room(room, 0.5), find_surface(room, surface));
+  };
+  const Room room = rectangular_room(2.5, 4, 3).box({1, 1, 0.5}, {2.5, 2, 1}).room();
+  const auto half = testing::DoubleNear(0.25, 1e-12), whole = testing::DoubleNear(0.5, 1e-12);
+  const auto graded = testing::ElementsAre(half, whole, whole, whole, whole, half);
+  for (const char* surface : {"floor", "ceiling", "wall_1"}) {
+    EXPECT_THAT(widths(room, surface), graded) << surface;
+  }
+  EXPECT_THAT(widths(room, "box_1"), testing::ElementsAre(whole, whole, whole));
+  // The edges of a panel are no edges of the room.
+  const Room with_panel = rectangular_room(2.5, 4, 3).panel(1, {1.25, 2}, {1, 1}).room();
+  EXPECT_THAT(widths(with_panel, "ceiling"), graded);
+}
+
+TEST(MeshRoom, FacesOfOnePatchStayWhole) {
+  EXPECT_EQ(mesh_room(rectangular_room(5, 4, 2.7).room(), 5).size(), 6);
 }
 
 TEST(MeshRoom, AxisAlignedFurnitureLeavesRectangles) {
@@ -232,13 +266,13 @@ TEST(MeshRoom, AxisAlignedFurnitureLeavesRectangles) {
 
 TEST(MeshRoom, OnlyPatchesAtTheContactAreCut) {
   const auto count = [](double from) {
-    const Room room = rectangular_room(4, 4, 3).box({from, from, 0}, {2.5, 2.5, 1}).room();
+    const Room room = rectangular_room(4, 4, 3).box({from, from, 0}, {2.25, 2.25, 1}).room();
     const PatchMesh mesh = mesh_room(room, 0.5);
     return std::ranges::count(mesh.surface, 0);
   };
-  EXPECT_EQ(count(1.5), 64 - 4);  // on the grid: nothing is cut
+  EXPECT_EQ(count(1.25), 81 - 4);  // on the grid: nothing is cut
   // 9 patches meet the footprint; 4 lie inside it, 4 keep one strip and the corner one keeps two.
-  EXPECT_EQ(count(1.4), 64 - 9 + 4 + 2);
+  EXPECT_EQ(count(1.15), 81 - 9 + 4 + 2);
 }
 
 TEST(MeshRoom, FacesThatTouchAreGoneOnBothSides) {
@@ -262,7 +296,7 @@ TEST(MeshRoom, AGapHoweverSmallKeepsBothFaces) {
 TEST(MeshRoom, FloorOfATurnedRectangleIsAGridOfRectangles) {
   const Room room = RoomBuilder({{0, 0}, {4, 3}, {2.2, 5.4}, {-1.8, 2.4}}, 2.5).room();
   const PatchMesh mesh = mesh_room(room, 0.5);
-  EXPECT_EQ(std::ranges::count(mesh.surface, 0), 10 * 6);
+  EXPECT_EQ(std::ranges::count(mesh.surface, 0), 11 * 7);
   for (const auto& polygon : mesh.polygon) EXPECT_EQ(polygon.size(), 4U);
 }
 
@@ -271,7 +305,7 @@ TEST(MeshRoom, CornersOfAnLShapeAreGridLines) {
       RoomBuilder({{0, 0}, {5, 0}, {5, 2.1}, {1.9, 2.1}, {1.9, 4}, {0, 4}}, 2.5).room();
   const PatchMesh mesh = mesh_room(room, 0.5);
   for (const auto& polygon : mesh.polygon) EXPECT_EQ(polygon.size(), 4U);
-  EXPECT_EQ(std::ranges::count(mesh.surface, 0), (4 + 7) * 5 + 4 * 4);
+  EXPECT_EQ(std::ranges::count(mesh.surface, 0), (5 + 7) * 6 + 5 * 5);
 }
 
 TEST(MeshRoom, WallsInOnePlaneHaveOnePlaneNumber) {
