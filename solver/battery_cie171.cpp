@@ -84,11 +84,14 @@ Target panel_above(const Vector2d& point_m, double edge_m) {
 }
 
 /// 5.6, 5.7: the floor alone reflects, and the sun through a window of 2 x 2 m, at 45 degrees in
-/// front of it, lights exactly the square [1, 3] x [1, 3] of it.
+/// front of it, lights exactly the square [1, 3] x [1, 3] of it, which the floor's grid follows:
+/// half a patch, then whole ones.
 constexpr double kFloorReflectance = 0.8, kSunNormal = 2;
 
+constexpr double kSunlitPatch_m = 4.0 / 22;
+
 scenes::Room sunlit_hall() {
-  scenes::Room room = black_box({4, 4, 3}, 0.25);
+  scenes::Room room = black_box({4, 4, 3}, kSunlitPatch_m);
   room.openings = {{.name = "window",
                     .wall = 0,
                     .offset_m = 1,
@@ -247,7 +250,8 @@ std::vector<Check> check_cie171_5_7() {
   add_surfaces(room, 0);
   room.surfaces[0].reflectance.values.setConstant(kFloorReflectance);
   std::vector<double> expected;
-  add_receivers_behind_screen(room, {1.25, 1.4, 1.5}, expected);  // up to y = 1.5, 2.25, 2.5
+  // Up to y = 17/11, 25/11 and 27/11, where patches meet.
+  add_receivers_behind_screen(room, {54.0 / 43, 38.0 / 27, 34.0 / 23}, expected);
   add_receivers_behind_screen(room, {1.28, 1.35, 1.45}, expected);
   const Eigen::Map<ArrayXd> exact(expected.data(), static_cast<Eigen::Index>(expected.size()));
   const ArrayXd computed = received(solved(room));
