@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 constexpr double kUnoccluded = 1e-6, kOccluded = 1e-4;
 /// 64 rays tell how much of a patch is in the shadow.
-constexpr double kPartlyOccluded = 2e-3;
+constexpr double kPartlyOccluded = 4e-3;
 
 /// A rectangle in a plane that a surface element looks at or along, and the plane's distance.
 struct Target {
@@ -88,7 +88,7 @@ Target panel_above(const Vector2d& point_m, double edge_m) {
 /// half a patch, then whole ones.
 constexpr double kFloorReflectance = 0.8, kSunNormal = 2;
 
-constexpr double kSunlitPatch_m = 4.0 / 22;
+constexpr double kSunlitPatch_m = 4.0 / 18;
 
 scenes::Room sunlit_hall() {
   scenes::Room room = black_box({4, 4, 3}, kSunlitPatch_m);
@@ -250,8 +250,8 @@ std::vector<Check> check_cie171_5_7() {
   add_surfaces(room, 0);
   room.surfaces[0].reflectance.values.setConstant(kFloorReflectance);
   std::vector<double> expected;
-  // Up to y = 17/11, 25/11 and 27/11, where patches meet.
-  add_receivers_behind_screen(room, {54.0 / 43, 38.0 / 27, 34.0 / 23}, expected);
+  // Up to y = 13/9, 19/9 and 23/9, where patches meet.
+  add_receivers_behind_screen(room, {46.0 / 37, 34.0 / 25, 26.0 / 17}, expected);
   add_receivers_behind_screen(room, {1.28, 1.35, 1.45}, expected);
   const Eigen::Map<ArrayXd> exact(expected.data(), static_cast<Eigen::Index>(expected.size()));
   const ArrayXd computed = received(solved(room));
