@@ -17,7 +17,6 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 
 constexpr double kUnoccluded = 1e-6, kOccluded = 1e-4;
-/// 64 rays tell how much of a patch is in the shadow.
 
 /// A rectangle in a plane that a surface element looks at or along, and the plane's distance.
 struct Target {
@@ -83,11 +82,14 @@ Target panel_above(const Vector2d& point_m, double edge_m) {
 }
 
 /// 5.6, 5.7: the floor alone reflects, and the sun through a window of 2 x 2 m, at 45 degrees in
-/// front of it, lights exactly the square [1, 3] x [1, 3] of it.
+/// front of it, lights exactly the square [1, 3] x [1, 3] of it, which the floor's grid follows:
+/// half a patch, then whole ones.
 constexpr double kFloorReflectance = 0.8, kSunNormal = 2;
 
+constexpr double kSunlitPatch_m = 4.0 / 18;
+
 scenes::Room sunlit_hall() {
-  scenes::Room room = black_box({4, 4, 3}, 0.25);
+  scenes::Room room = black_box({4, 4, 3}, kSunlitPatch_m);
   room.openings = {{.name = "window",
                     .wall = 0,
                     .offset_m = 1,
@@ -246,7 +248,8 @@ std::vector<Check> check_cie171_5_7() {
   add_surfaces(room, 0);
   room.surfaces[0].reflectance.values.setConstant(kFloorReflectance);
   std::vector<double> expected;
-  add_receivers_behind_screen(room, {1.25, 1.4, 1.5}, expected);  // up to y = 1.5, 2.25, 2.5
+  // Up to y = 13/9, 19/9 and 23/9, where patches meet.
+  add_receivers_behind_screen(room, {46.0 / 37, 34.0 / 25, 26.0 / 17}, expected);
   add_receivers_behind_screen(room, {1.28, 1.35, 1.45}, expected);
   const Eigen::Map<ArrayXd> exact(expected.data(), static_cast<Eigen::Index>(expected.size()));
   const ArrayXd computed = received(solved(room));

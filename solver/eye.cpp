@@ -17,23 +17,24 @@ using Eigen::VectorXd;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Adds `rays` directions between two cones around the axis, each with the weight f(cosine), to the
-/// patches they meet; plastic-number sequence in (cosine, azimuth), so each ray stands for the same
-/// solid angle.
+/// Follows `rays` directions between two cones around the axis, and calls add(patch, cosine, solid
+/// angle / 2 pi) for each; plastic-number sequence in (cosine, azimuth), so each ray stands for the
+/// same solid angle.
 template <typename Function>
 void add_directions(const PatchRays& patch_rays, const Vector3d& eye, const Vector3d& axis,
-                    double inner_deg, double outer_deg, int rays, Function weight, VectorXd& sum) {
+                    double inner_deg, double outer_deg, int rays, Function add) {
   const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
   const double inner = std::cos(inner_deg * kDegree), outer = std::cos(outer_deg * kDegree);
+  const auto fraction = [](double x) { return x - std::floor(x); };
   for (int k = 0; k < rays; ++k) {
-    const double s = std::fmod(0.5 + k * 0.75487766624669276, 1);
-    const double t = std::fmod(0.5 + k * 0.56984029099805327, 1);
+    const double s = fraction(0.5 + k * 0.75487766624669276);
+    const double t = fraction(0.5 + k * 0.56984029099805327);
     const double cosine = outer + s * (inner - outer), sine = std::sqrt(1 - cosine * cosine);
     const double azimuth = 2 * std::numbers::pi * t;
     const Vector3d direction =
         cosine * axis + sine * (std::cos(azimuth) * u + std::sin(azimuth) * v);
     const RayHit hit = patch_rays.first_hit(eye, direction);
-    if (hit.patch >= 0) sum[hit.patch] += weight(cosine) * (inner - outer) / rays;
+    if (hit.patch >= 0) add(hit.patch, cosine, (inner - outer) / rays);
   }
 }
 
@@ -103,12 +104,18 @@ ViewRows view_rows(const Vector3d& eye_m, const Vector3d& look_at_m,
                    const scenes::PatchMesh& mesh) {
   const PatchRays rays(mesh);
   const Vector3d axis = (look_at_m - eye_m).normalized();
-  const auto one = [](double) { return 1.0; };
-  const auto cosine = [](double c) { return c; };
-  VectorXd background = VectorXd::Zero(mesh.size()), field = background, near_axis = background;
-  add_directions(rays, eye_m, axis, 1, 11, kBackgroundRays, one, background);
-  add_directions(rays, eye_m, axis, 11, 90, kFieldRays, one, field);
-  add_directions(rays, eye_m, axis, 0, 90, kFieldRays, cosine, near_axis);
+  constexpr int kCentreRays = 64;
+  VectorXd centre = VectorXd::Zero(mesh.size()), background = centre, field = centre,
+           near_axis = centre;
+  const auto add_to = [&near_axis](VectorXd& sum) {
+    return [&near_axis, &sum](int patch, double cosine, double solid_angle) {
+      sum[patch] += solid_angle;
+      near_axis[patch] += cosine * solid_angle;
+    };
+  };
+  add_directions(rays, eye_m, axis, 0, 1, kCentreRays, add_to(centre));
+  add_directions(rays, eye_m, axis, 1, 11, kBackgroundRays, add_to(background));
+  add_directions(rays, eye_m, axis, 11, 90, kFieldRays, add_to(field));
   return {.background = seen(std::move(background), mesh.area_m2),
           .field = seen(std::move(field), mesh.area_m2),
           .near_axis = seen(std::move(near_axis), mesh.area_m2)};

@@ -25,7 +25,7 @@ TEST_P(Battery, EngineMeetsItsFormulas) {
     EXPECT_TRUE(c.passed()) << c.name << ", " << c.quantity << ": expected " << c.expected
                             << ", computed " << c.computed << ", error " << c.relative_error();
     EXPECT_GT(std::abs(c.expected), 0) << c.name;
-    EXPECT_LE(c.tolerance, 2e-3) << c.name;
+    EXPECT_LE(c.tolerance, 1e-4) << c.name;
   }
 }
 

@@ -76,21 +76,24 @@ const std::string kLampInTheEast =
     panel_member(R"({"on": "ceiling", "center_m": [3.5, 2], "size_m": [1, 1]})");
 
 /// Two cupboards from wall to wall and floor to ceiling fill the western 2 m of a box: against the
-/// box without them. Furnace too, with the slot between them.
+/// box without them, in whole faces, which are the same. Furnace too, with the slot between them.
 double cupboards(const std::string& slot_m, bool furnace) {
-  const std::string surfaces =
-      R"(, "height_m": 2.7, "patch_m": 0.5, "surfaces": { "floor": 0.6, "ceiling": 0.9,
-         "walls": 0.8)";
-  const Solved bare = solve(room_of(R"("plan_m": [[2, 0], [5, 0], [5, 4], [2, 4]])" + surfaces +
-                                    "}, " + kLampInTheEast + kTwoReceivers));
-  const scenes::Room filled =
-      room_of(R"("plan_m": [[0, 0], [5, 0], [5, 4], [0, 4]])" + surfaces +
-              R"(, "a": 0.8, "b": 0.8 }, "furniture": [
+  const auto surfaces = [](const std::string& patch_m) {
+    return R"(, "height_m": 2.7, "patch_m": )" + patch_m +
+           R"(, "surfaces": { "floor": 0.6, "ceiling": 0.9, "walls": 0.8)";
+  };
+  const auto filled = [&](const std::string& patch_m) {
+    return room_of(R"("plan_m": [[0, 0], [5, 0], [5, 4], [0, 4]])" + surfaces(patch_m) +
+                   R"(, "a": 0.8, "b": 0.8 }, "furniture": [
          { "name": "a", "box_m": { "min": [0, 0, 0], "max": [1, 4, 2.7] } },
          { "name": "b", "box_m": { "min": [)" +
-              slot_m + R"(, 0, 0], "max": [2, 4, 2.7] } } ], )" + kLampInTheEast + kTwoReceivers);
-  const Solved with_cupboards = solve(filled);
-  double worst = furnace ? furnace_error(filled) : 0;
+                   slot_m + R"(, 0, 0], "max": [2, 4, 2.7] } } ], )" + kLampInTheEast +
+                   kTwoReceivers);
+  };
+  const Solved bare = solve(room_of(R"("plan_m": [[2, 0], [5, 0], [5, 4], [2, 4]])" +
+                                    surfaces("5") + "}, " + kLampInTheEast + kTwoReceivers));
+  const Solved with_cupboards = solve(filled("5"));
+  double worst = furnace ? furnace_error(filled("0.5")) : 0;
   for (std::size_t k = 0; k < 2; ++k) {
     worst = std::max(worst, relative(with_cupboards.at_receiver(k), bare.at_receiver(k)));
   }
@@ -254,12 +257,11 @@ double lamp_close_to_a_wall() {
     const auto i = static_cast<std::size_t>(p);
     if (mesh.normal[i].y() < 0.5) continue;  // the wall behind the lamp
     double angle = 0;                        // of the rectangle, by its corners
-    for (const double side : {0.25, -0.25}) {
-      for (const double up : {mesh.centre[i].z() - 0.225, mesh.centre[i].z() + 0.225}) {
-        const double a = mesh.centre[i].x() + side - 2.3, b = up - 1.3, h = 0.001;
-        const double sign = (side > 0) == (up > mesh.centre[i].z()) ? 1 : -1;
-        angle += sign * std::atan(a * b / (h * std::sqrt(a * a + b * b + h * h)));
-      }
+    for (const Vector3d& corner : mesh.polygon[i]) {
+      const double a = corner.x() - 2.3, b = corner.z() - 1.3, h = 0.001;
+      const Vector3d side = corner - mesh.centre[i];
+      angle += std::copysign(1.0, side.x() * side.z()) *
+               std::atan(a * b / (h * std::sqrt(a * a + b * b + h * h)));
     }
     worst = std::max(worst, relative(black.irradiance()[p] * mesh.area_m2[i], intensity * angle));
   }
