@@ -35,7 +35,7 @@ class StiffRooms : public testing::TestWithParam<StiffRoom> {};
 INSTANTIATE_TEST_SUITE_P(Rooms, StiffRooms, testing::ValuesIn(stiff_rooms()),
                          identifier<StiffRoom>);
 
-// Meshes of 376 to 629 patches; finer ones take a few iterations less or more.
+// Meshes of 499 to 794 patches; finer ones take a few iterations less or more.
 TEST_P(StiffRooms, ConvergeWithinTheirIterations) {
   const Iterations i = iterate(GetParam());
   EXPECT_LE(*std::ranges::max_element(i.with_clusters), GetParam().most_iterations);
