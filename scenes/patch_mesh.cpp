@@ -219,12 +219,6 @@ void require_sensible_patches(const std::vector<WholeFace>& faces, double patch_
   }
 }
 
-void append_triangles(const Outline& convex, Occluders& occluders) {
-  for (std::size_t i = 2; i < convex.size(); ++i) {
-    occluders.triangles.push_back({convex[0], convex[i - 1], convex[i]});
-  }
-}
-
 }  // namespace
 
 PatchMesh mesh_room(const Room& room, double patch_m) {
@@ -247,22 +241,6 @@ PatchMesh mesh_room(const Room& room, double patch_m) {
     }
   }
   return mesh;
-}
-
-Occluders occluders(const Room& room) {
-  Occluders occluders;
-  for (const Box& box : room.furniture) {
-    for (const Outline& side : prism(footprint(box), box.min_m.z(), box.max_m.z())) {
-      append_triangles(side, occluders);
-    }
-  }
-  const std::vector<Outline> faces = shell(room);
-  // In a convex room nothing is behind a wall; floor and ceiling hide nothing in any room.
-  if (convex_pieces(room.plan_m).size() > 1) {
-    for (std::size_t wall = 2; wall < faces.size(); ++wall)
-      append_triangles(faces[wall], occluders);
-  }
-  return occluders;
 }
 
 }  // namespace scenes

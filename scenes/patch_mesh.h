@@ -20,12 +20,6 @@ struct PatchMesh {
   [[nodiscard]] int size() const { return static_cast<int>(area_m2.size()); }
 };
 
-/// Triangles that can hide others from each other, for ray tests: furniture, and the walls where
-/// the plan is not convex.
-struct Occluders {
-  std::vector<std::array<Eigen::Vector3d, 3>> triangles;  ///< counter-clockwise seen from the room
-};
-
 /// Cuts every surface into convex patches with no edge longer than `patch_m`, half as wide along
 /// the edges of the room, that follow openings, panels and contact lines of furniture; faces that
 /// touch (nearer than 1e-9 m) are removed on both sides. Grids lie along the face's longest edge.
@@ -33,8 +27,5 @@ struct Occluders {
 /// @throws std::invalid_argument  if patch_m is not positive or the plan is not a simple polygon
 /// @throws std::length_error  if patch_m asks for more than 20 million patches
 [[nodiscard]] PatchMesh mesh_room(const Room& room, double patch_m);
-
-/// Whole faces, not patches.
-[[nodiscard]] Occluders occluders(const Room& room);
 
 }  // namespace scenes

@@ -226,13 +226,15 @@ class Assembly {
     if (visibility_.unobstructed()) return;
     for (std::size_t j = first; j < end(column); ++j) {
       float& value = line[j - begin(column)];
-      if (value == 0 || !visibility_.may_block(static_cast<int>(i), static_cast<int>(j))) continue;
+      const int pi = static_cast<int>(i), pj = static_cast<int>(j);
+      if (value == 0 || !visibility_.may_block(pi, pj)) continue;
       ++counts.tested;
       const bool lamp = !options_.lamp.empty() && (options_.lamp[i] || options_.lamp[j]);
       const std::uint64_t seed = static_cast<std::uint64_t>(i) << 32U | j;
       const double share =
           visibility_
-              .between(facets_[i], facets_[j], seed, lamp ? options_.lamp_rays : options_.rays)
+              .between(facets_[i], visibility_.separation(pi), facets_[j],
+                       visibility_.separation(pj), seed, lamp ? options_.lamp_rays : options_.rays)
               .share;
       if (share > 0 && share < 1) ++counts.partial;
       value *= static_cast<float>(share);

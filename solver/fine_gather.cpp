@@ -216,6 +216,7 @@ class FineGather {
   [[nodiscard]] ArrayXd lamp_light(const Outlook& view, std::uint64_t seed,
                                    ArrayXd& variance) const {
     ArrayXd light = ArrayXd::Zero(emission_.cols());
+    const SeparationMask own = visibility_.separation(view.facet);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const ArrayXd emitted = emission_.row(faces_[f].surface).transpose();
       const double factor = view.factor[static_cast<Index>(f)];
@@ -228,8 +229,9 @@ class FineGather {
         const Facet& lamp = faces_[f].parts[part];
         const double whole = mean_form_factor(view.facet, lamp);
         if (whole == 0) continue;
-        const VisibleShare seen = visibility_.between(
-            view.facet, lamp, seed << 16U ^ (f << 8U | part), options_.lamp_rays);
+        const VisibleShare seen =
+            visibility_.between(view.facet, own, lamp, masks_[f][part],
+                                seed << 16U ^ (f << 8U | part), options_.lamp_rays);
         light += whole * seen.share * emitted;
         variance += (whole * seen.standard_error * emitted).square();
       }

@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include "solver/ray_scene.h"
 #include "solver/sequence.h"
 
 namespace solver {
@@ -16,9 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double kTouching_m = 1e-9;
 constexpr std::uint8_t kBehind = 0x80;
-/// Rays stop this share of their length short of both ends, so that the surfaces they join do not
-/// block them.
-constexpr float kEndGap = 1e-4F;
 constexpr int kPacket = 16;
 constexpr std::uint32_t kAllBlocked = 0xffff;
 
@@ -73,7 +69,7 @@ class Front {
   }
 
   /// Area points from two dimensions of the sequence.
-  [[nodiscard]] Points16 points(const RayScene& scene, const Sequence4& sequence, int first,
+  [[nodiscard]] Points16 points(const Segments& segments, const Sequence4& sequence, int first,
                                 int dimension) const {
     const Facet& facet = part_ ? *part_ : whole_;
     const std::vector<Vector3d>& v = facet.vertices;
@@ -81,11 +77,11 @@ class Front {
                     t = sequence.sixteen(first, dimension + 1);
     Points16 p;
     if (facet.rectangle) {
-      const Eigen::Vector3f corner = scene.local(v[0]), along_s = (v[1] - v[0]).cast<float>(),
+      const Eigen::Vector3f corner = segments.local(v[0]), along_s = (v[1] - v[0]).cast<float>(),
                             along_t = (v[3] - v[0]).cast<float>();
       for (int d = 0; d < 3; ++d) p.col(d) = corner[d] + along_s[d] * s + along_t[d] * t;
     } else {
-      for (int k = 0; k < kPacket; ++k) p.row(k) = scene.local(area_point(facet, s[k], t[k]));
+      for (int k = 0; k < kPacket; ++k) p.row(k) = segments.local(area_point(facet, s[k], t[k]));
     }
     return p;
   }
@@ -98,19 +94,13 @@ class Front {
 }  // namespace
 
 Visibility::Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip)
-    : skip_(skip), blockers_(blockers_of(room)) {
-  if (blockers_.empty()) return;
-  scene_ = std::make_unique<RayScene>(scenes::occluders(room).triangles);
+    : skip_(skip), blockers_(blockers_of(room)), segments_(blockers_) {
   patch_masks_.resize(static_cast<std::size_t>(mesh.size()) * blockers_.size());
   for (std::size_t p = 0; p < mesh.polygon.size(); ++p) {
     const Plane own{mesh.normal[p], mesh.normal[p].dot(mesh.centre[p])};
     separate(mesh.polygon[p], own, &patch_masks_[p * blockers_.size()]);
   }
 }
-
-Visibility::Visibility() = default;
-
-Visibility::~Visibility() = default;
 
 template <typename Vertices>
 void Visibility::separate(const Vertices& vertices, const Plane& own, std::uint8_t* mask) const {
@@ -132,27 +122,31 @@ void Visibility::separate(const Vertices& vertices, const Plane& own, std::uint8
 
 namespace {
 
-bool any_blocker_between(const std::uint8_t* a, const std::uint8_t* b, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) {
-    if (((a[k] | b[k]) & kBehind) == 0 && (a[k] & b[k]) == 0) return true;
-  }
-  return false;
+/// Whether one blocker can be between two sets.
+bool stands_between(std::uint8_t a, std::uint8_t b) {
+  return ((a | b) & kBehind) == 0 && (a & b) == 0;
 }
 
 }  // namespace
 
+bool Visibility::may_block(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (stands_between(a[k], b[k])) return true;
+  }
+  return false;
+}
+
 bool Visibility::may_block(int i, int j) const {
-  const std::size_t n = blockers_.size();
-  if (!skip_) return n > 0;
-  return any_blocker_between(patch_masks_.data() + static_cast<std::size_t>(i) * n,
-                             patch_masks_.data() + static_cast<std::size_t>(j) * n, n);
+  return skip_ ? may_block(separation(i), separation(j)) : !unobstructed();
 }
 
 bool Visibility::may_block(const SeparationMask& set, int patch) const {
+  return skip_ ? may_block(set, separation(patch)) : !unobstructed();
+}
+
+std::span<const std::uint8_t> Visibility::separation(int patch) const {
   const std::size_t n = blockers_.size();
-  if (!skip_) return n > 0;
-  return any_blocker_between(set.data(), patch_masks_.data() + static_cast<std::size_t>(patch) * n,
-                             n);
+  return {patch_masks_.data() + static_cast<std::size_t>(patch) * n, n};
 }
 
 SeparationMask Visibility::separation(const Vector3d& point, const Vector3d& normal) const {
@@ -167,43 +161,21 @@ SeparationMask Visibility::separation(const Facet& facet) const {
   return mask;
 }
 
-bool Visibility::may_block(const SeparationMask& a, const SeparationMask& b) {
-  return any_blocker_between(a.data(), b.data(), a.size());
-}
-
-std::uint32_t Visibility::blocked16(const Points16& from, const Points16& to) const {
-  alignas(64) RTCRay16 rays{};
-  alignas(64) std::array<int, kPacket> valid{};
-  valid.fill(-1);
-  const Points16 direction = to - from;
-  Eigen::Map<Samples16>(rays.org_x) = from.col(0);
-  Eigen::Map<Samples16>(rays.org_y) = from.col(1);
-  Eigen::Map<Samples16>(rays.org_z) = from.col(2);
-  Eigen::Map<Samples16>(rays.dir_x) = direction.col(0);
-  Eigen::Map<Samples16>(rays.dir_y) = direction.col(1);
-  Eigen::Map<Samples16>(rays.dir_z) = direction.col(2);
-  std::fill_n(rays.tnear, kPacket, kEndGap);
-  std::fill_n(rays.tfar, kPacket, 1 - kEndGap);
-  std::fill_n(rays.mask, kPacket, ~0U);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded16(valid.data(), scene_->get(), &context, &rays);
-  std::uint32_t blocked = 0;
-  for (int k = 0; k < kPacket; ++k) {
-    if (rays.tfar[k] < 0) blocked |= 1U << k;
-  }
-  return blocked;
-}
-
-VisibleShare Visibility::between(const Facet& i, const Facet& j, std::uint64_t seed,
-                                 int most_rays) const {
+VisibleShare Visibility::between(const Facet& i, std::span<const std::uint8_t> mask_i,
+                                 const Facet& j, std::span<const std::uint8_t> mask_j,
+                                 std::uint64_t seed, int most_rays) const {
   const Sequence4 sequence(seed);
   const Front front_i(i, j.plane()), front_j(j, i.plane());
   WeightedShare sum;
   for (int done = 0; done < most_rays; done += kPacket) {
-    const Points16 from = front_i.points(*scene_, sequence, done, 0),
-                   to = front_j.points(*scene_, sequence, done, 2);
-    const std::uint32_t blocked = blocked16(from, to);
+    const Points16 from = front_i.points(segments_, sequence, done, 0),
+                   to = front_j.points(segments_, sequence, done, 2);
+    std::uint32_t blocked = 0;
+    for (std::size_t b = 0; b < blockers_.size() && blocked != kAllBlocked; ++b) {
+      if (!skip_ || stands_between(mask_i[b], mask_j[b])) {
+        blocked |= segments_.blocked(b, from, to);
+      }
+    }
     if (done == 0 && blocked == 0) return {};
     if (done == 0 && blocked == kAllBlocked) return {.share = 0};
     sum.add(kernels(from, i.normal, to, j.normal), blocked);

@@ -1,19 +1,15 @@
 #pragma once
 #include <cstdint>
-#include <memory>
+#include <span>
 #include <vector>
 
 #include "scenes/patch_mesh.h"
 #include "scenes/room.h"
 #include "solver/blocker.h"
 #include "solver/facet.h"
+#include "solver/segments.h"
 
 namespace solver {
-
-class RayScene;
-
-/// A point a row, m, relative to the middle of a RayScene.
-using Points16 = Eigen::Array<float, 16, 3>;
 
 /// Which blockers a convex set (patch or point) cannot have in its way. One byte per blocker: bits
 /// 0..5 say that the set lies outside that face plane of the blocker, bit 7 that the blocker lies
@@ -30,12 +26,9 @@ struct VisibleShare {
 class Visibility {
  public:
   /// @param mesh  its patches can be asked about by number
-  /// @param skip  false: every pair gets rays where there is anything to hit
+  /// @param skip  false: every blocker is tried for every pair
   Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip = true);
-  Visibility();  ///< nothing blocks anything
-  ~Visibility();
-  Visibility(const Visibility&) = delete;
-  Visibility& operator=(const Visibility&) = delete;
+  Visibility() = default;  ///< nothing blocks anything
 
   /// Nothing can block anything: an empty convex room.
   [[nodiscard]] bool unobstructed() const { return blockers_.empty(); }
@@ -47,12 +40,15 @@ class Visibility {
   [[nodiscard]] SeparationMask separation(const Eigen::Vector3d& point,
                                           const Eigen::Vector3d& normal) const;
   [[nodiscard]] SeparationMask separation(const Facet& facet) const;
-  [[nodiscard]] static bool may_block(const SeparationMask& a, const SeparationMask& b);
+  [[nodiscard]] std::span<const std::uint8_t> separation(int patch) const;
+  [[nodiscard]] static bool may_block(std::span<const std::uint8_t> a,
+                                      std::span<const std::uint8_t> b);
 
-  /// Rays between two patches, low-discrepancy, call it once per pair. The first 16 decide
-  /// if they agree; else as many as `most_rays`.
-  [[nodiscard]] VisibleShare between(const Facet& i, const Facet& j, std::uint64_t seed,
-                                     int most_rays) const;
+  /// Segments between two patches, low-discrepancy, call it once per pair. The first 16 decide
+  /// if they agree; else as many as `most_rays`. Only blockers that the masks leave are tried.
+  [[nodiscard]] VisibleShare between(const Facet& i, std::span<const std::uint8_t> mask_i,
+                                     const Facet& j, std::span<const std::uint8_t> mask_j,
+                                     std::uint64_t seed, int most_rays) const;
 
   [[nodiscard]] const std::vector<Blocker>& blockers() const { return blockers_; }
 
@@ -60,13 +56,10 @@ class Visibility {
   template <typename Vertices>
   void separate(const Vertices& vertices, const Plane& own, std::uint8_t* mask) const;
 
-  /// bit k set: segment k is blocked
-  [[nodiscard]] std::uint32_t blocked16(const Points16& from, const Points16& to) const;
-
   bool skip_ = true;
   std::vector<Blocker> blockers_;
   std::vector<std::uint8_t> patch_masks_;  ///< patch x blocker
-  std::unique_ptr<RayScene> scene_;
+  Segments segments_;
 };
 
 }  // namespace solver

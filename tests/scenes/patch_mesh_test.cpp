@@ -355,23 +355,5 @@ TEST(MeshRoom, UnboundedPatchesStillFollowTheOpenings) {
   EXPECT_EQ(mesh.size(), 5 + 9);
 }
 
-TEST(Occluders, AreNoneInAnEmptyConvexRoom) {
-  EXPECT_TRUE(occluders(rectangular_room(5, 4, 2.7).room()).triangles.empty());
-}
-
-TEST(Occluders, OfFurnitureAreClosed) {
-  const auto triangles =
-      occluders(rectangular_room(5, 4, 2.7).box({1, 1, 0}, {2, 3, 1}, 33).room()).triangles;
-  ASSERT_EQ(triangles.size(), 12U);
-  double volume = 0;
-  for (const auto& [a, b, c] : triangles) volume += a.dot(b.cross(c)) / 6;
-  EXPECT_NEAR(volume, 2, 1e-13);
-}
-
-TEST(Occluders, AreTheWallsWhereThePlanIsNotConvex) {
-  const Room room = RoomBuilder({{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}}, 2.5).room();
-  EXPECT_EQ(occluders(room).triangles.size(), 6U * 2);
-}
-
 }  // namespace
 }  // namespace scenes

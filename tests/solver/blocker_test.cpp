@@ -9,6 +9,7 @@
 
 #include "solver/direct_light.h"
 #include "solver/exchange.h"
+#include "solver/segments.h"
 
 namespace solver {
 namespace {
@@ -49,6 +50,109 @@ double area_m2(const std::vector<Polygon>& polygons) {
 int count_containing(const std::vector<Polygon>& parts, const Vector3d& normal, const Vector3d& p) {
   return static_cast<int>(
       std::ranges::count_if(parts, [&](const Polygon& part) { return contains(part, normal, p); }));
+}
+
+scenes::Room l_shaped_room() {
+  scenes::Room room{.grid = {.first_nm = 500, .step_nm = 10, .count = 1},
+                    .plan_m = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}},
+                    .height_m = 2.5};
+  const spectra::Spectrum zero{room.grid, Eigen::ArrayXd::Zero(1)};
+  const auto add = [&](const char* name, scenes::SurfaceKind kind, int index) {
+    room.surfaces.push_back(
+        {.name = name, .kind = kind, .index = index, .reflectance = zero, .exitance = zero});
+  };
+  add("floor", scenes::SurfaceKind::floor, 0);
+  add("ceiling", scenes::SurfaceKind::ceiling, 0);
+  for (int wall = 0; wall < 6; ++wall) add("wall", scenes::SurfaceKind::wall, wall);
+  room.openings.push_back({.name = "window",
+                           .wall = 2,
+                           .offset_m = 0.5,
+                           .sill_m = 0.8,
+                           .width_m = 1,
+                           .height_m = 1,
+                           .transmittance = {room.grid, Eigen::ArrayXd::Ones(1)}});
+  add("window", scenes::SurfaceKind::opening, 0);
+  room.furniture.push_back({.name = "post", .min_m = {1, 1.5, 0}, .max_m = {1.9, 3.2, 2.2}});
+  room.furniture.push_back({.name = "desk", .min_m = {3, 0.6, 0}, .max_m = {3.8, 1.4, 0.8}});
+  add("post", scenes::SurfaceKind::furniture, 0);
+  add("desk", scenes::SurfaceKind::furniture, 1);
+  return room;
+}
+
+TEST(Blockers, AreClosedAndOnlyWhatStandsInTheRoom) {
+  EXPECT_EQ(blockers_of(l_shaped_room()).size(), 2U + 2U);  // furniture, re-entrant walls
+  double volume_m3 = 0;
+  const Blocker desk = furniture({kDesk}).at(0);
+  for (const Blocker::Face& face : desk.faces) {
+    Polygon polygon;
+    for (const int c : face.corners) polygon.push_back(desk.corners[static_cast<std::size_t>(c)]);
+    volume_m3 += make_facet(polygon).area_m2 * face.plane.offset_m / 3;
+  }
+  EXPECT_NEAR(volume_m3, 1.2 * 0.7 * 0.7, 1e-13);
+}
+
+// Random segments, also from face to face of the box itself and with ends inside.
+TEST(Segments, AreBlockedWhereTheyPassThroughABox) {
+  const Segments segments(furniture({kDesk, kShelf}));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 3);
+  int hits = 0;
+  for (int packet = 0; packet < 500; ++packet) {
+    std::vector<std::pair<Vector3d, Vector3d>> ends;
+    Points16 from, to;
+    for (int k = 0; k < 16; ++k) {
+      ends.emplace_back(Vector3d(unit(random), unit(random), unit(random)),
+                        Vector3d(unit(random), unit(random), unit(random)));
+      from.row(k) = segments.local(ends.back().first);
+      to.row(k) = segments.local(ends.back().second);
+    }
+    const std::uint32_t desk = segments.blocked(0, from, to), shelf = segments.blocked(1, from, to);
+    for (std::size_t k = 0; k < 16; ++k) {
+      const auto& [a, b] = ends[k];
+      hits += passes(kDesk, a, b) + passes(kShelf, a, b);
+      EXPECT_EQ((desk >> k & 1U) == 1, passes(kDesk, a, b))
+          << a.transpose() << " " << b.transpose();
+      EXPECT_EQ((shelf >> k & 1U) == 1, passes(kShelf, a, b));
+    }
+  }
+  EXPECT_GT(hits, 1000);
+}
+
+// Along a face, from it, up to it, and along an edge: all touch, none pass.
+TEST(Segments, ThatTouchABlockerPass) {
+  const Segments segments(furniture({{.name = "post", .min_m = {0, 0, 0}, .max_m = {1, 1, 2}}}));
+  const std::vector<std::pair<Vector3d, Vector3d>> touching{
+      {{-1, 0.5, 2}, {2, 0.5, 2}}, {{0.5, 0.5, 2}, {3, 1, 2.5}}, {{3, 1, 2.5}, {0.5, 0.5, 2}},
+      {{0, 0, -1}, {0, 0, 3}},     {{1, 0.2, 0.5}, {2, 2, 2}},   {{-1, 0, 1}, {2, 0, 1}}};
+  for (const auto& [a, b] : touching) {
+    Points16 from, to;
+    for (int k = 0; k < 16; ++k) {
+      from.row(k) = segments.local(a);
+      to.row(k) = segments.local(b);
+    }
+    EXPECT_EQ(segments.blocked(0, from, to), 0U) << a.transpose() << " to " << b.transpose();
+  }
+}
+
+// A wall of an L-shaped plan is a plate.
+TEST(Segments, AreBlockedByAPlateWithinItsEdges) {
+  scenes::Room room = l_shaped_room();
+  room.furniture.clear();
+  const std::vector<Blocker> walls = blockers_of(room);
+  const Segments segments(walls);
+  const auto blocked = [&](const Vector3d& a, const Vector3d& b) {
+    Points16 from, to;
+    for (int k = 0; k < 16; ++k) {
+      from.row(k) = segments.local(a);
+      to.row(k) = segments.local(b);
+    }
+    std::uint32_t all = 0;
+    for (std::size_t w = 0; w < walls.size(); ++w) all |= segments.blocked(w, from, to);
+    return all != 0;
+  };
+  EXPECT_TRUE(blocked({1, 3.5, 1}, {3.5, 1, 1}));   // across the outer corner
+  EXPECT_FALSE(blocked({1, 2.5, 1}, {2.5, 1, 1}));  // past the inner one
+  EXPECT_FALSE(blocked({2, 3, 1}, {0, 1, 2}));      // from the plate
 }
 
 // A tilted triangle behind two boxes that hide each other in part: every point of it is in one lit
@@ -96,33 +200,6 @@ TEST(Shadows, FacesThatTheLightTouchesAndThatTouchTheLightStayLit) {
   }
   EXPECT_EQ(Shadows(furniture({post}), from_point({0.3, 0.2, 2.5})).lit_parts(top),
             std::vector<Polygon>{top});
-}
-
-scenes::Room l_shaped_room() {
-  scenes::Room room{.grid = {.first_nm = 500, .step_nm = 10, .count = 1},
-                    .plan_m = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}},
-                    .height_m = 2.5};
-  const spectra::Spectrum zero{room.grid, Eigen::ArrayXd::Zero(1)};
-  const auto add = [&](const char* name, scenes::SurfaceKind kind, int index) {
-    room.surfaces.push_back(
-        {.name = name, .kind = kind, .index = index, .reflectance = zero, .exitance = zero});
-  };
-  add("floor", scenes::SurfaceKind::floor, 0);
-  add("ceiling", scenes::SurfaceKind::ceiling, 0);
-  for (int wall = 0; wall < 6; ++wall) add("wall", scenes::SurfaceKind::wall, wall);
-  room.openings.push_back({.name = "window",
-                           .wall = 2,
-                           .offset_m = 0.5,
-                           .sill_m = 0.8,
-                           .width_m = 1,
-                           .height_m = 1,
-                           .transmittance = {room.grid, Eigen::ArrayXd::Ones(1)}});
-  add("window", scenes::SurfaceKind::opening, 0);
-  room.furniture.push_back({.name = "post", .min_m = {1, 1.5, 0}, .max_m = {1.9, 3.2, 2.2}});
-  room.furniture.push_back({.name = "desk", .min_m = {3, 0.6, 0}, .max_m = {3.8, 1.4, 0.8}});
-  add("post", scenes::SurfaceKind::furniture, 0);
-  add("desk", scenes::SurfaceKind::furniture, 1);
-  return room;
 }
 
 // The post stands in the other arm of the room, where no light passes that comes in by the window,
