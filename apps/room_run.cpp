@@ -51,6 +51,12 @@ void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::pa
              std::vector<solver::ViewedPoint> views) {
   run.transport =
       solver::prepare_transport(run.room, transport_options(run, options, out, std::move(views)));
+  for (std::size_t r = 0; r < run.room.receivers.size(); ++r) {
+    const double defect = run.transport.receivers[r].gather.closure_defect;
+    if (defect < 1e-3) continue;
+    fmt::print(stderr, "note: {}: what it sees of all patches misses 1 by {:.2g} and is scaled\n",
+               run.room.receivers[r].name, defect);
+  }
   run.clock.stop("transport");
   run.record["transport"] = describe(run.transport);
 }

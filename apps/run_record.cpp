@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
@@ -114,12 +115,17 @@ Json describe(const solver::FineLight& fine, const SolutionColumns& columns) {
 }
 
 Json describe(const solver::RoomTransport& transport) {
+  double point_defect = 0;  // what receivers see of all patches, against 1
+  for (const solver::ReceiverRow& row : transport.receivers) {
+    point_defect = std::max(point_defect, row.gather.closure_defect);
+  }
   return {{"plan", describe(transport.plan)},
           {"closure_defect", transport.closure_defect},
           {"reciprocity_defect", transport.reciprocity_defect},
           {"largest_scaling", transport.largest_scaling},
           {"largest_self_view", transport.exchange.largest_self_view},
-          {"direct_light_scaling", transport.lightings.front().direct_scaling}};
+          {"direct_light_scaling", transport.lightings.front().direct_scaling},
+          {"point_closure_defect", point_defect}};
 }
 
 Json describe(const solver::RoomSolution& solution, const scenes::Room& room) {

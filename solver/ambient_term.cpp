@@ -70,20 +70,22 @@ void add_lamps(const scenes::Room& room, const std::vector<Facet>& facets, Ambie
   }
 }
 
-/// Adds the light of one source that is no patch. Without occlusion too much of it arrives, so its
-/// scaling is below 1.
-double add_source(const scenes::Room& only_it, const std::vector<Facet>& facets,
-                  AmbientTerm& term) {
-  const DirectLight light = direct_light_on_patches(only_it, term.faces, facets, Visibility());
-  term.direct += light.irradiance;
-  return 1 - light.largest_scaling;
-}
-
-scenes::Room without_sources(const scenes::Room& room) {
-  scenes::Room dark = room;
-  dark.point_lights.clear();
-  dark.suns.clear();
-  return dark;
+/// Every source that is no patch, alone; nothing hides it.
+std::vector<DirectSources> each_source(const scenes::Room& room) {
+  const Visibility nothing_hides;
+  scenes::Room one = room;
+  std::vector<DirectSources> sources;
+  one.suns.clear();
+  for (const scenes::PointLight& light : room.point_lights) {
+    one.point_lights = {light};
+    sources.emplace_back(one, nothing_hides);
+  }
+  one.point_lights.clear();
+  for (const scenes::Sun& sun : room.suns) {
+    one.suns = {sun};
+    sources.emplace_back(one, nothing_hides);
+  }
+  return sources;
 }
 
 /// Interreflection between the sides, which the direct light sets off.
@@ -123,15 +125,11 @@ AmbientTerm solve_ambient_term(const scenes::Room& room) {
   term.direct = Bands::Zero(term.faces.size(), room.grid.count);
   term.lamp_scaling = ArrayXd::Zero(term.faces.size());
   add_lamps(room, facets, term);
-  scenes::Room one = without_sources(room);
-  for (const scenes::PointLight& light : room.point_lights) {
-    one.point_lights = {light};
-    term.point_scaling.push_back(add_source(one, facets, term));
-  }
-  one.point_lights.clear();
-  for (const scenes::Sun& sun : room.suns) {
-    one.suns = {sun};
-    term.sun_scaling.push_back(add_source(one, facets, term));
+  // Without occlusion too much of their light arrives, so their scaling is below 1.
+  for (const DirectSources& source : each_source(room)) {
+    const DirectLight light = source.on_patches(term.faces, facets);
+    term.direct += light.irradiance;
+    term.source_scaling.push_back(1 - light.largest_scaling);
   }
   term.indirect = sides_irradiance(room, term);
   return term;
@@ -139,8 +137,7 @@ AmbientTerm solve_ambient_term(const scenes::Room& room) {
 
 Bands extended_ambient_term(const scenes::Room& room, const std::vector<scenes::Receiver>& at) {
   const AmbientTerm term = solve_ambient_term(room);
-  const Visibility nothing_hides;
-  scenes::Room one = without_sources(room);
+  const std::vector<DirectSources> sources = each_source(room);
   Bands irradiance(static_cast<Index>(at.size()), room.grid.count);
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Vector3d &point = at[k].at_m, normal = at[k].normal.normalized();
@@ -153,15 +150,8 @@ Bands extended_ambient_term(const scenes::Room& room, const std::vector<scenes::
       h += scaling * point_to_polygon(point, normal, term.faces.polygon[f]) *
            surface_of(room, term.faces, f).exitance.values;
     }
-    one.suns.clear();
-    for (std::size_t s = 0; s < room.point_lights.size(); ++s) {
-      one.point_lights = {room.point_lights[s]};
-      h += term.point_scaling[s] * direct_light_at_point(one, point, normal, nothing_hides);
-    }
-    one.point_lights.clear();
-    for (std::size_t s = 0; s < room.suns.size(); ++s) {
-      one.suns = {room.suns[s]};
-      h += term.sun_scaling[s] * direct_light_at_point(one, point, normal, nothing_hides);
+    for (std::size_t s = 0; s < sources.size(); ++s) {
+      h += term.source_scaling[s] * sources[s].at_point(point, normal);
     }
     irradiance.row(static_cast<Index>(k)) = h.transpose();
   }

@@ -25,11 +25,11 @@ namespace solver {
 /// The papers leave open how quasi-shadows are made and whether direct light has them: the scaling
 /// is this project's reading.
 struct AmbientTerm {
-  scenes::PatchMesh faces;      ///< whole, in convex parts
-  Bands direct;                 ///< D, face x band, area means
-  Bands indirect;               ///< side x band: +x, -x, +y, -y, +z, -z by inward normal
-  Eigen::ArrayXd lamp_scaling;  ///< per face, 0 where it does not shine
-  std::vector<double> point_scaling, sun_scaling;  ///< per Room::point_lights, Room::suns
+  scenes::PatchMesh faces;             ///< whole, in convex parts
+  Bands direct;                        ///< D, face x band, area means
+  Bands indirect;                      ///< side x band: +x, -x, +y, -y, +z, -z by inward normal
+  Eigen::ArrayXd lamp_scaling;         ///< per face, 0 where it does not shine
+  std::vector<double> source_scaling;  ///< per Room::point_lights, then Room::suns
 
   /// Area mean of H on each face.
   [[nodiscard]] Bands irradiance() const;

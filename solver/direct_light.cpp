@@ -16,18 +16,8 @@ using Eigen::ArrayXd;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-/// The sun through one opening: a prism of parallel light.
-struct Beam {
-  int surface = 0;  ///< the opening
-  Vector3d to_sun;
-  Plane opening;             ///< front: into the room
-  std::vector<Plane> sides;  ///< the prism is in front of all
-  Shadows shadows;           ///< of what is on the room's side of the opening
-  ArrayXd normal_irradiance;
-};
-
-std::vector<Beam> beams(const scenes::Room& room, const std::vector<Blocker>& blockers) {
-  std::vector<Beam> all;
+std::vector<SunBeam> beams(const scenes::Room& room, const std::vector<Blocker>& blockers) {
+  std::vector<SunBeam> all;
   for (const scenes::Sun& sun : room.suns) {
     for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
       const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
@@ -35,10 +25,10 @@ std::vector<Beam> beams(const scenes::Room& room, const std::vector<Blocker>& bl
       const Facet glass = make_facet(scenes::rectangle_of(room, s));
       const Vector3d to_sun = towards_sun(sun);
       if (-glass.normal.dot(to_sun) <= 1e-9) continue;  // the sun is behind the wall
-      Beam beam{.surface = s,
-                .to_sun = to_sun,
-                .opening = glass.plane(),
-                .shadows = {in_front_of(blockers, glass.plane()), from_direction(to_sun)}};
+      SunBeam beam{.surface = s,
+                   .to_sun = to_sun,
+                   .opening = glass.plane(),
+                   .shadows = {in_front_of(blockers, glass.plane()), from_direction(to_sun)}};
       for (std::size_t k = 0; k < glass.vertices.size(); ++k) {
         const Vector3d& a = glass.vertices[k];
         const Vector3d edge = glass.vertices[(k + 1) % glass.vertices.size()] - a;
@@ -56,7 +46,7 @@ std::vector<Beam> beams(const scenes::Room& room, const std::vector<Blocker>& bl
 }
 
 /// Area times cosine of the part of a facet that a beam lights, m^2.
-double lit_area_m2(const Facet& facet, const Beam& beam) {
+double lit_area_m2(const Facet& facet, const SunBeam& beam) {
   const double cosine = facet.normal.dot(beam.to_sun);
   if (cosine <= 1e-12) return 0;
   std::vector<Vector3d> lit = clip(facet.vertices, beam.opening);
@@ -102,24 +92,30 @@ double solid_angle(const Vector3d& point, const std::vector<Vector3d>& polygon) 
   return sum;
 }
 
-DirectLight direct_light_on_patches(const scenes::Room& room, const scenes::PatchMesh& mesh,
-                                    const std::vector<Facet>& facets,
-                                    const Visibility& visibility) {
-  const auto n = static_cast<Eigen::Index>(facets.size());
-  DirectLight light{.irradiance = Bands::Zero(n, room.grid.count)};
+DirectSources::DirectSources(const scenes::Room& room, const Visibility& visibility)
+    : bands_(room.grid.count), beams_(beams(room, visibility.blockers())) {
   for (const scenes::PointLight& lamp : room.point_lights) {
-    const Shadows shadows(visibility.blockers(), from_point(lamp.at_m));
+    lamps_.push_back({.at_m = lamp.at_m,
+                      .intensity = lamp.spectral_flux.values / (4 * pi),
+                      .shadows = {visibility.blockers(), from_point(lamp.at_m)}});
+  }
+}
+
+DirectLight DirectSources::on_patches(const scenes::PatchMesh& mesh,
+                                      const std::vector<Facet>& facets) const {
+  const auto n = static_cast<Eigen::Index>(facets.size());
+  DirectLight light{.irradiance = Bands::Zero(n, bands_)};
+  for (const PointSource& lamp : lamps_) {
     ArrayXd angle = ArrayXd::Zero(n);
     tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
-      const Facet& facet = facets[i];
-      if (facet.plane().height_m(lamp.at_m) <= 0) return;
-      for (const auto& part : shadows.lit_parts(facet.vertices)) {
+      if (facets[i].plane().height_m(lamp.at_m) <= 0) return;
+      for (const auto& part : lamp.shadows.lit_parts(facets[i].vertices)) {
         angle[static_cast<Eigen::Index>(i)] += solid_angle(lamp.at_m, part);
       }
     });
-    spread(angle, 4 * pi, lamp.spectral_flux.values / (4 * pi), facets, light);
+    spread(angle, 4 * pi, lamp.intensity, facets, light);
   }
-  for (const Beam& beam : beams(room, visibility.blockers())) {
+  for (const SunBeam& beam : beams_) {
     ArrayXd lit = ArrayXd::Zero(n);
     double open_area_m2 = 0;  // of the opening's patches: furniture may cover a part
     tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
@@ -134,23 +130,20 @@ DirectLight direct_light_on_patches(const scenes::Room& room, const scenes::Patc
   return light;
 }
 
-ArrayXd direct_light_at_point(const scenes::Room& room, const Vector3d& point,
-                              const Vector3d& normal, const Visibility& visibility) {
-  ArrayXd irradiance = ArrayXd::Zero(room.grid.count);
-  for (const scenes::PointLight& lamp : room.point_lights) {
+ArrayXd DirectSources::at_point(const Vector3d& point, const Vector3d& normal) const {
+  ArrayXd irradiance = ArrayXd::Zero(bands_);
+  for (const PointSource& lamp : lamps_) {
     const Vector3d r = lamp.at_m - point;
     const double cosine_over_square = normal.dot(r) / std::pow(r.norm(), 3);
-    if (cosine_over_square <= 0) continue;
-    const Shadows shadows(visibility.blockers(), from_point(lamp.at_m));
-    if (!shadows.contain(point)) {
-      irradiance += lamp.spectral_flux.values / (4 * pi) * cosine_over_square;
+    if (cosine_over_square > 0 && !lamp.shadows.contain(point)) {
+      irradiance += lamp.intensity * cosine_over_square;
     }
   }
-  for (const Beam& beam : beams(room, visibility.blockers())) {
+  for (const SunBeam& beam : beams_) {
     const double cosine = normal.dot(beam.to_sun);
-    const bool in_prism = beam.opening.height_m(point) > 0 &&
-                          std::all_of(beam.sides.begin(), beam.sides.end(),
-                                      [&](const Plane& side) { return side.height_m(point) >= 0; });
+    const bool in_prism =
+        beam.opening.height_m(point) > 0 &&
+        std::ranges::all_of(beam.sides, [&](const Plane& p) { return p.height_m(point) >= 0; });
     if (cosine > 0 && in_prism && !beam.shadows.contain(point)) {
       irradiance += beam.normal_irradiance * cosine;
     }

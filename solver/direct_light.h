@@ -20,16 +20,39 @@ struct DirectLight {
   double largest_scaling = 0;  ///< max |scale - 1| over the sources
 };
 
-[[nodiscard]] DirectLight direct_light_on_patches(const scenes::Room& room,
-                                                  const scenes::PatchMesh& mesh,
-                                                  const std::vector<Facet>& facets,
-                                                  const Visibility& visibility);
+struct PointSource {
+  Eigen::Vector3d at_m;
+  Eigen::ArrayXd intensity;  ///< W sr^-1 nm^-1
+  Shadows shadows;
+};
 
-/// Irradiance per band at a surface element; shadows are sharp.
-[[nodiscard]] Eigen::ArrayXd direct_light_at_point(const scenes::Room& room,
-                                                   const Eigen::Vector3d& point,
-                                                   const Eigen::Vector3d& normal,
-                                                   const Visibility& visibility);
+/// The sun through one opening: a prism of parallel light.
+struct SunBeam {
+  int surface = 0;  ///< the opening
+  Eigen::Vector3d to_sun;
+  Plane opening;             ///< front: into the room
+  std::vector<Plane> sides;  ///< the prism is in front of all
+  Shadows shadows;           ///< of what is on the room's side of the opening
+  Eigen::ArrayXd normal_irradiance;
+};
+
+/// The point lights and suns of a room, and what stands in their way.
+class DirectSources {
+ public:
+  DirectSources(const scenes::Room& room, const Visibility& visibility);
+
+  [[nodiscard]] DirectLight on_patches(const scenes::PatchMesh& mesh,
+                                       const std::vector<Facet>& facets) const;
+
+  /// Irradiance per band at a surface element; shadows are sharp.
+  [[nodiscard]] Eigen::ArrayXd at_point(const Eigen::Vector3d& point,
+                                        const Eigen::Vector3d& normal) const;
+
+ private:
+  Eigen::Index bands_;
+  std::vector<PointSource> lamps_;
+  std::vector<SunBeam> beams_;
+};
 
 /// Solid angle of a polygon that shows its front to the point, sr [VanOosterom1983].
 [[nodiscard]] double solid_angle(const Eigen::Vector3d& point,

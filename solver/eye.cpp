@@ -105,17 +105,16 @@ ViewRows view_rows(const Vector3d& eye_m, const Vector3d& look_at_m,
   const PatchRays rays(mesh);
   const Vector3d axis = (look_at_m - eye_m).normalized();
   constexpr int kCentreRays = 64;
-  VectorXd centre = VectorXd::Zero(mesh.size()), background = centre, field = centre,
-           near_axis = centre;
-  const auto add_to = [&near_axis](VectorXd& sum) {
-    return [&near_axis, &sum](int patch, double cosine, double solid_angle) {
-      sum[patch] += solid_angle;
+  VectorXd background = VectorXd::Zero(mesh.size()), field = background, near_axis = background;
+  const auto add_to = [&near_axis](VectorXd* sum) {
+    return [&near_axis, sum](int patch, double cosine, double solid_angle) {
+      if (sum != nullptr) (*sum)[patch] += solid_angle;
       near_axis[patch] += cosine * solid_angle;
     };
   };
-  add_directions(rays, eye_m, axis, 0, 1, kCentreRays, add_to(centre));
-  add_directions(rays, eye_m, axis, 1, 11, kBackgroundRays, add_to(background));
-  add_directions(rays, eye_m, axis, 11, 90, kFieldRays, add_to(field));
+  add_directions(rays, eye_m, axis, 0, 1, kCentreRays, add_to(nullptr));
+  add_directions(rays, eye_m, axis, 1, 11, kBackgroundRays, add_to(&background));
+  add_directions(rays, eye_m, axis, 11, 90, kFieldRays, add_to(&field));
   return {.background = seen(std::move(background), mesh.area_m2),
           .field = seen(std::move(field), mesh.area_m2),
           .near_axis = seen(std::move(near_axis), mesh.area_m2)};

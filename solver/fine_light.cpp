@@ -17,7 +17,7 @@ Bands first_shot(const scenes::Room& room, const scenes::PatchMesh& mesh) {
   if (room.point_lights.empty() && room.suns.empty()) {
     return Bands::Zero(mesh.size(), room.grid.count);
   }
-  return direct_light_on_patches(room, mesh, facets_of(mesh), Visibility(room, mesh)).irradiance;
+  return DirectSources(room, Visibility(room, mesh)).on_patches(mesh, facets_of(mesh)).irradiance;
 }
 
 Bands surface_emission(const scenes::Room& room) {

@@ -52,12 +52,14 @@ Vector3d off_the_edge(const Vector3d& point, const Vector3d& normal,
     if (std::abs(other.dot(point - mesh.centre[j])) > kOnPlane_m) continue;
     const bool known = std::ranges::any_of(
         touched, [&](const Vector3d& t) { return (t - other).norm() < kOnPlane_m; });
-    if (known || (other - normal).norm() < kOnPlane_m) continue;
+    const bool rises = std::ranges::any_of(
+        mesh.polygon[j], [&](const Vector3d& v) { return normal.dot(v - point) > kOnPlane_m; });
+    if (known || !rises) continue;
     if (contains(mesh.polygon[j], other, point)) touched.push_back(other);
   }
   Vector3d moved = point;
   for (const Vector3d& n : touched) moved += kStep_m * n;
-  return moved;
+  return moved - std::min(0.0, normal.dot(moved - point)) * normal;  // not behind its own surface
 }
 
 Vector3d middle_of(const Polygon& part) {
@@ -181,17 +183,16 @@ void PointGather::add_gradients(const Vector3d& point, const Vector3d& normal, c
 
 void PointGather::add_gradient(std::size_t patch, const Vector3d& moment, VectorXd& weights) const {
   const auto at = static_cast<Eigen::Index>(patch);
+  const GradientWeights& neighbours = gradient(patch);
   double part = 1, own = 0;  // no weight may fall below 0: light is never negative
-  for (const auto& [k, a] : gradient(patch)) {
+  for (const auto& [k, a] : neighbours) {
     const double change = moment.dot(a);
     if (change < 0) part = std::min(part, std::max(0.0, weights[k]) / -change);
     own += change;
   }
   if (own > 0) part = std::min(part, std::max(0.0, weights[at]) / own);
-  for (const auto& [k, a] : gradient(patch)) {
-    weights[k] += part * moment.dot(a);
-    weights[at] -= part * moment.dot(a);
-  }
+  for (const auto& [k, a] : neighbours) weights[k] += part * moment.dot(a);
+  weights[at] -= part * own;
 }
 
 GatherRow PointGather::row(const Vector3d& at_m, const Vector3d& normal) const {

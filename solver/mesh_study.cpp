@@ -14,9 +14,9 @@ constexpr double kOrder2 = 1.0 / 3;    ///< (E_h - E) / (E_2h - E_h) where E_h -
 constexpr double kFirstPatches = 200;  ///< of the first mesh that is tried, about
 constexpr int kMostSteps = 12;
 constexpr double kShareOfSolver = 0.01;
-/// The usual rays leave less than half of this at a point, in all sample rooms; and their multiple
-/// that is never exceeded.
-constexpr double kFewRays = 1e-3, kMostRays = 64;
+/// The usual rays leave less than a quarter of this at a point, in all sample rooms; and their
+/// multiple that is never exceeded.
+constexpr double kFewRays = 2e-3, kMostRays = 64;
 
 /// All points of a solution.
 std::vector<ReceiverLight*> points_of(RoomSolution& solution) {

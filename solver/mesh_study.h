@@ -43,7 +43,9 @@ struct ToleranceSolution {
 /// Chooses solver tolerance, rays and patch size so that the errors of every receiver and viewed
 /// point add up to at most `tolerance`, relative to its strongest band. Patches shrink as the
 /// error that is left asks for, until they do not fit.
-/// @param transport  patch_m is chosen here, and more rays where tolerance is below 1e-3
+/// @param transport  patch_m is chosen here, and more rays where tolerance is below 2e-3; what rays
+/// leave
+///     shows in the mesh's error, as every mesh has its own
 /// @throws std::invalid_argument  unless 0 < tolerance < 1
 /// @throws TooLarge  if not even the first mesh fits
 [[nodiscard]] ToleranceSolution solve_to_tolerance(const scenes::Room& room, double tolerance,

@@ -96,9 +96,9 @@ std::vector<scenes::Room> relit_rooms(const scenes::Room& room) {
   return rooms;
 }
 
-Lighting lighting_of(const scenes::Room& lit, const scenes::PatchMesh& mesh,
-                     const std::vector<Facet>& facets, const Visibility& visibility) {
-  DirectLight direct = direct_light_on_patches(lit, mesh, facets, visibility);
+Lighting lighting_of(const scenes::Room& lit, const DirectSources& sources,
+                     const scenes::PatchMesh& mesh, const std::vector<Facet>& facets) {
+  DirectLight direct = sources.on_patches(mesh, facets);
   return {.emission = emission_of(lit, mesh),
           .direct = std::move(direct.irradiance),
           .direct_scaling = direct.largest_scaling};
@@ -234,9 +234,10 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   t.seconds["exchange"] = watch.lap();
 
   const std::vector<Facet> facets = facets_of(t.mesh);
-  const std::vector<scenes::Room> lit = relit_rooms(room);
-  for (const scenes::Room& r : lit) {
-    t.lightings.push_back(lighting_of(r, t.mesh, facets, visibility));
+  std::vector<DirectSources> sources;
+  for (const scenes::Room& lit : relit_rooms(room)) {
+    sources.emplace_back(lit, visibility);
+    t.lightings.push_back(lighting_of(lit, sources.back(), t.mesh, facets));
   }
   for (std::size_t s = 0; s < room.scenarios.size(); ++s) {
     t.lightings[s + 1].name = room.scenarios[s].name;
@@ -244,9 +245,7 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   const PointGather gather(t.mesh, facets, visibility);
   const auto row = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     ReceiverRow r{.gather = gather.row(point, normal)};
-    for (const scenes::Room& l : lit) {
-      r.direct.push_back(direct_light_at_point(l, point, normal, visibility));
-    }
+    for (const DirectSources& s : sources) r.direct.push_back(s.at_point(point, normal));
     return r;
   };
   t.receivers.resize(room.receivers.size());

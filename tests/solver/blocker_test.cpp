@@ -212,7 +212,7 @@ TEST(DirectLight, SunIsHiddenOnlyByWhatStandsBehindTheWindow) {
                        .normal_irradiance = {room.grid, Eigen::ArrayXd::Ones(1)}});
   const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.3);
   const DirectLight light =
-      direct_light_on_patches(room, mesh, facets_of(mesh), Visibility(room, mesh));
+      DirectSources(room, Visibility(room, mesh)).on_patches(mesh, facets_of(mesh));
   EXPECT_LT(light.largest_scaling, 1e-9);
   double on_desk = 0;
   for (std::size_t p = 0; p < mesh.area_m2.size(); ++p) {
@@ -230,7 +230,7 @@ TEST(DirectLight, AllFluxOfAPointLightArrives) {
                                .spectral_flux = {room.grid, Eigen::ArrayXd::Ones(1)}});
   const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.3);
   const DirectLight light =
-      direct_light_on_patches(room, mesh, facets_of(mesh), Visibility(room, mesh));
+      DirectSources(room, Visibility(room, mesh)).on_patches(mesh, facets_of(mesh));
   EXPECT_LT(light.largest_scaling, 1e-9);
 }
 
