@@ -95,6 +95,7 @@ class Front {
 
 Visibility::Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip)
     : skip_(skip), blockers_(blockers_of(room)), segments_(blockers_) {
+  if (blockers_.empty()) return;
   patch_masks_.resize(static_cast<std::size_t>(mesh.size()) * blockers_.size());
   for (std::size_t p = 0; p < mesh.polygon.size(); ++p) {
     const Plane own{mesh.normal[p], mesh.normal[p].dot(mesh.centre[p])};
