@@ -63,42 +63,67 @@ HWY_INLINE Vectors<V> choose(M mask, const Vectors<V>& yes, const Vectors<V>& no
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// 1/2pi sum over the edges [Lambert1760]. What reaches below the horizon is cut off there: the
-/// edge from where the outline goes down to where it comes up again closes the polygon.
+/// Corners relative to the point, and their heights over its horizon.
+template <class V>
+struct Corners {
+  Vectors<V> r[4];
+  V height_m[4];
+};
+
+template <class D, class V>
+HWY_INLINE V sum_of_edges(D d, const Corners<V>& c, const Vectors<V>& n) {
+  V sum = edge_term(d, c.r[3], c.r[0], n);
+  for (std::size_t k = 1; k < 4; ++k) sum = hn::Add(sum, edge_term(d, c.r[k - 1], c.r[k], n));
+  return sum;
+}
+
+/// What reaches below the horizon is cut off there: the edge from where the outline goes down to
+/// where it comes up again closes the polygon.
+template <class D, class V>
+HWY_INLINE V sum_above_horizon(D d, const Corners<V>& c, const Vectors<V>& n) {
+  const V zero = hn::Zero(d);
+  V sum = zero;
+  Vectors<V> down{zero, zero, zero}, up = down;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vectors<V>&from = c.r[(k + 3) % 4], &to = c.r[k];
+    const V h = c.height_m[(k + 3) % 4], next = c.height_m[k];
+    const auto goes_down = hn::And(hn::Ge(h, zero), hn::Lt(next, zero));
+    const auto comes_up = hn::And(hn::Lt(h, zero), hn::Ge(next, zero));
+    const auto above = hn::Or(hn::Ge(h, zero), hn::Ge(next, zero));
+    const Vectors<V> cut = between(from, to, hn::Div(h, hn::Sub(h, next)));
+    down = choose(goes_down, cut, down);
+    up = choose(comes_up, cut, up);
+    const V term = edge_term(d, choose(comes_up, cut, from), choose(goes_down, cut, to), n);
+    sum = hn::Add(sum, hn::IfThenElseZero(above, term));
+  }
+  return hn::Add(sum, edge_term(d, down, up, n));
+}
+
+/// 1/2pi sum over the edges of what is above the horizon [Lambert1760]
 void quad_factors(const Quads& q, const double* point, const double* normal) {
   const hn::ScalableTag<double> d;
   using V = hn::Vec<decltype(d)>;
   const V zero = hn::Zero(d), on_horizon = hn::Set(d, 1e-12);
   const Vectors<V> p{hn::Set(d, point[0]), hn::Set(d, point[1]), hn::Set(d, point[2])};
   const Vectors<V> n{hn::Set(d, normal[0]), hn::Set(d, normal[1]), hn::Set(d, normal[2])};
-  const auto height_of = [&](const Vectors<V>& v) {
-    const V height = dot(n, v);
-    return hn::IfThenElseZero(hn::Gt(hn::Abs(height), on_horizon), height);
-  };
   for (std::size_t i = 0; i < q.count; i += hn::Lanes(d)) {
-    const auto corner = [&](std::size_t k) -> Vectors<V> {
-      return {hn::Sub(hn::LoadU(d, q.vertex_m[k][0] + i), p.x),
-              hn::Sub(hn::LoadU(d, q.vertex_m[k][1] + i), p.y),
-              hn::Sub(hn::LoadU(d, q.vertex_m[k][2] + i), p.z)};
-    };
-    Vectors<V> r = corner(3), down{zero, zero, zero}, up = down;
-    V height = height_of(r), highest = height, sum = zero;
+    Corners<V> c;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Vectors<V> next = corner(k);
-      const V next_height = height_of(next);
-      const auto goes_down = hn::And(hn::Ge(height, zero), hn::Lt(next_height, zero));
-      const auto comes_up = hn::And(hn::Lt(height, zero), hn::Ge(next_height, zero));
-      const auto above = hn::Or(hn::Ge(height, zero), hn::Ge(next_height, zero));
-      const Vectors<V> cut = between(r, next, hn::Div(height, hn::Sub(height, next_height)));
-      down = choose(goes_down, cut, down);
-      up = choose(comes_up, cut, up);
-      const V term = edge_term(d, choose(comes_up, cut, r), choose(goes_down, cut, next), n);
-      sum = hn::Add(sum, hn::IfThenElseZero(above, term));
-      r = next;
-      height = next_height;
-      highest = hn::Max(highest, height);
+      c.r[k] = {hn::Sub(hn::LoadU(d, q.vertex_m[k][0] + i), p.x),
+                hn::Sub(hn::LoadU(d, q.vertex_m[k][1] + i), p.y),
+                hn::Sub(hn::LoadU(d, q.vertex_m[k][2] + i), p.z)};
+      const V height = dot(n, c.r[k]);
+      c.height_m[k] = hn::IfThenElseZero(hn::Gt(hn::Abs(height), on_horizon), height);
     }
-    sum = hn::IfThenElseZero(hn::Gt(highest, zero), hn::Add(sum, edge_term(d, down, up, n)));
+    const V *h = c.height_m, lowest = hn::Min(hn::Min(h[0], h[1]), hn::Min(h[2], h[3])),
+            highest = hn::Max(hn::Max(h[0], h[1]), hn::Max(h[2], h[3]));
+    const auto rises = hn::Gt(highest, zero);
+    V sum = zero;
+    if (!hn::AllFalse(d, rises)) {
+      sum =
+          hn::AllTrue(d, hn::Ge(lowest, zero)) ? sum_of_edges(d, c, n) : sum_above_horizon(d, c, n);
+    }
+    sum = hn::IfThenElseZero(rises, sum);
     hn::StoreU(hn::Mul(sum, hn::Set(d, std::numbers::inv_pi / 2)), d, q.factor + i);
   }
 }
