@@ -46,8 +46,11 @@ void add_mesh_options(CLI::App& command, SolveOptions& options) {
       ->check(CLI::Range(1e-6, 0.5))
       ->excludes("--patch-m")
       ->excludes("--relative-error");
-  command.add_flag("--richardson", options.richardson,
-                   "extrapolate receivers and viewed points to patches of no size");
+  command
+      .add_flag("--richardson", options.richardson,
+                "extrapolate receivers and viewed points to patches of no size; their errors are "
+                "told as without")
+      ->excludes("--tolerance");
 }
 
 /// What every look at the paints of an atlas in a room takes.

@@ -32,12 +32,12 @@ const std::vector<SolverMethod>& solver_methods() {
       radiosity_method(Method::conjugate_gradients),
       radiosity_method(Method::jacobi),
       radiosity_method(Method::gauss_seidel),
-      radiosity_method(Method::progressive),
-      radiosity_method("progressive with ambient term",
-                       {.method = Method::progressive, .ambient = true}),
+      radiosity_method(Method::direct),
       radiosity_method("progressive with overshoot",
                        {.method = Method::progressive, .overshoot = true}),
-      radiosity_method(Method::direct)};
+      radiosity_method("progressive with ambient term",
+                       {.method = Method::progressive, .ambient = true}),
+      radiosity_method(Method::progressive)};  // the slowest last: time may be over
   return methods;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 #include "apps/run_record.h"
 #include "apps/terminal.h"
@@ -66,6 +67,7 @@ Exit verify_engine(const VerifyCommand& command, const Session& session) {
   } else {
     fmt::print("{}", verify_table(checks));
   }
+  std::fflush(stdout);
   fmt::print(stderr, "{} of {} cases passed, {:.1f} s\n", passed, checks.size(), seconds.count());
   if (!command.out.empty()) write(command.out, verify_csv(checks), summary, session);
   return verdict(checks);
