@@ -48,8 +48,7 @@ void add_mesh_options(CLI::App& command, SolveOptions& options) {
       ->excludes("--relative-error");
   command
       .add_flag("--richardson", options.richardson,
-                "extrapolate receivers and viewed points to patches of no size; their errors are "
-                "told as without")
+                "extrapolate receivers and viewed points to patches of no size")
       ->excludes("--tolerance");
 }
 
