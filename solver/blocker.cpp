@@ -3,10 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <utility>
-
-#include "scenes/patch_mesh.h"
 
 namespace solver {
 namespace {
@@ -80,18 +77,16 @@ std::vector<Plane> shadow_of(const Blocker& blocker, const LightOrigin& light) {
 /// Appends what is left of a convex polygon outside of a convex shadow.
 void subtract(const std::vector<Plane>& shadow, const Polygon& polygon,
               std::vector<Polygon>& left) {
+  const std::size_t before = left.size();
   Polygon dark = polygon;
-  for (const Plane& plane : shadow) {
-    dark = clip(dark, plane);
-    if (dark.empty()) {
-      left.push_back(polygon);
-      return;
-    }
-  }
-  dark = polygon;
   for (const Plane& plane : shadow) {
     if (Polygon lit = clip(dark, reversed(plane)); !lit.empty()) left.push_back(std::move(lit));
     dark = clip(dark, plane);
+    if (dark.empty()) {  // no shadow on it: whole, not in pieces
+      left.resize(before);
+      left.push_back(polygon);
+      return;
+    }
   }
 }
 

@@ -22,20 +22,16 @@ constexpr std::uint32_t kAllBlocked = 0xffff;
 /// independent, which for low-discrepancy points errs on the safe side).
 struct WeightedShare {
   double weight = 0, open = 0, open_squared = 0, weight_squared = 0, cross = 0;
-  int count = 0;
-
-  void add(double w, bool is_open) {
-    const double o = is_open ? w : 0;
-    weight += w;
-    open += o;
-    weight_squared += w * w;
-    open_squared += o * o;
-    cross += o * w;
-    ++count;
-  }
 
   void add(const Samples16& weights, std::uint32_t blocked) {
-    for (int k = 0; k < kPacket; ++k) add(weights[k], (blocked >> k & 1U) == 0);
+    for (int k = 0; k < kPacket; ++k) {
+      const double w = weights[k], o = (blocked >> k & 1U) == 0 ? w : 0;
+      weight += w;
+      open += o;
+      weight_squared += w * w;
+      open_squared += o * o;
+      cross += o * w;
+    }
   }
 
   /// All, where no ray carries light: two that hardly face each other.
@@ -91,6 +87,11 @@ class Front {
   std::optional<Facet> part_;
 };
 
+/// Whether one blocker can be between two sets.
+bool stands_between(std::uint8_t a, std::uint8_t b) {
+  return ((a | b) & kBehind) == 0 && (a & b) == 0;
+}
+
 }  // namespace
 
 Visibility::Visibility(const scenes::Room& room, const scenes::PatchMesh& mesh, bool skip)
@@ -120,15 +121,6 @@ void Visibility::separate(const Vertices& vertices, const Plane& own, std::uint8
     }
   }
 }
-
-namespace {
-
-/// Whether one blocker can be between two sets.
-bool stands_between(std::uint8_t a, std::uint8_t b) {
-  return ((a | b) & kBehind) == 0 && (a & b) == 0;
-}
-
-}  // namespace
 
 bool Visibility::may_block(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b) {
   for (std::size_t k = 0; k < a.size(); ++k) {
