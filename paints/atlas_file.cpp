@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "appearance/spectra/input_error.h"
 #include "appearance/spectra/spectrum_file.h"
 #include "appearance/spectra/spectrum_library.h"
+#include "appearance/spectra/text/input_error.h"
 
 namespace paints {
 namespace {

@@ -7,10 +7,10 @@
 #include <map>
 #include <utility>
 
-#include "appearance/spectra/csv_reader.h"
-#include "appearance/spectra/input_error.h"
 #include "appearance/spectra/spectrum_file.h"
 #include "appearance/spectra/spectrum_library.h"
+#include "appearance/spectra/text/csv_reader.h"
+#include "appearance/spectra/text/input_error.h"
 
 namespace paints {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "appearance/spectra/csv_reader.h"
+#include "appearance/spectra/text/csv_reader.h"
 
 namespace spectra {
 

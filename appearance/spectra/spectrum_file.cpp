@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "appearance/spectra/csv_reader.h"
+#include "appearance/spectra/text/csv_reader.h"
 
 namespace spectra {
 namespace {

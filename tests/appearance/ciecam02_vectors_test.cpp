@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "appearance/ciecam02.h"
-#include "appearance/spectra/csv_reader.h"
+#include "appearance/spectra/text/csv_reader.h"
 
 namespace appearance {
 namespace {

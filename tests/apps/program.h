@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "appearance/spectra/csv_reader.h"
+#include "appearance/spectra/text/csv_reader.h"
 
 namespace apps::test {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/room_json.h"
-#include "solver/room_colour.h"
+#include "scenes/files/room_json.h"
+#include "solver/rooms/room_colour.h"
 
 namespace {
 

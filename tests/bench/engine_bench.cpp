@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "scenes/room_json.h"
-#include "solver/room_light.h"
+#include "scenes/files/room_json.h"
+#include "solver/rooms/room_light.h"
 
 namespace {
 

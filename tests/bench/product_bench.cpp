@@ -9,8 +9,8 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/tile_product.h"
-#include "solver/transport.h"
+#include "solver/exchange/tile_product.h"
+#include "solver/rooms/transport.h"
 #include "tests/bench/fma_peak.h"
 #ifdef WITH_OPENBLAS
 #include <cblas.h>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "appearance/spectra/relighting.h"
-#include "apps/exr_block.h"
+#include "apps/pictures/exr_block.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "paints/ranking.h"
-#include "scenes/room_json.h"
-#include "solver/room_light.h"
-#include "solver/room_response.h"
+#include "scenes/files/room_json.h"
+#include "solver/response/room_response.h"
+#include "solver/rooms/room_light.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "appearance/spectra/input_error.h"
+#include "appearance/spectra/text/input_error.h"
 
 namespace paints {
 namespace {

@@ -2,8 +2,8 @@
 // white and cyan light, and a lounge whose lamps face a blue ceiling.
 #include <gtest/gtest.h>
 
-#include "scenes/room_json.h"
-#include "solver/room_colour.h"
+#include "scenes/files/room_json.h"
+#include "solver/rooms/room_colour.h"
 
 namespace solver {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "solver/closed_form.h"
+#include "solver/judges/closed_form.h"
 
 namespace solver {
 namespace {

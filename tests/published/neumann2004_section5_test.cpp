@@ -9,8 +9,8 @@
 
 #include "appearance/spectra/spectrum_library.h"
 #include "appearance/viewing_conditions.h"
-#include "scenes/room_json.h"
-#include "solver/room_light.h"
+#include "scenes/files/room_json.h"
+#include "solver/rooms/room_light.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "appearance/spectra/input_error.h"
-#include "scenes/room_json.h"
+#include "appearance/spectra/text/input_error.h"
+#include "scenes/files/room_json.h"
 
 namespace scenes {
 

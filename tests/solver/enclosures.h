@@ -1,7 +1,7 @@
 #pragma once
 #include <random>
 
-#include "solver/radiosity.h"
+#include "solver/bounce/radiosity.h"
 
 namespace solver {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "solver/closed_form.h"
+#include "solver/judges/closed_form.h"
 
 namespace solver {
 

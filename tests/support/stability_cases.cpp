@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "appearance/spectra/input_error.h"
+#include "appearance/spectra/text/input_error.h"
 #include "tests/support/stability_rooms.h"
 
 namespace stability {

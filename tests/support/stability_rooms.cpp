@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scenes/room_json.h"
+#include "scenes/files/room_json.h"
 
 namespace stability {
 

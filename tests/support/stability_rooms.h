@@ -2,7 +2,7 @@
 #include <string>
 
 #include "scenes/room.h"
-#include "solver/room_light.h"
+#include "solver/rooms/room_light.h"
 
 /// Rooms in which numbers get hard, and how they are solved. They go through the room reader, as a
 /// file would.

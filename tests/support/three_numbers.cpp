@@ -18,8 +18,8 @@
 #include "appearance/spectra/illuminants.h"
 #include "appearance/spectra/photometry.h"
 #include "appearance/spectra/spectrum_library.h"
-#include "apps/colour_verdict.h"
-#include "scenes/room_json.h"
+#include "apps/studies/colour_verdict.h"
+#include "scenes/files/room_json.h"
 
 namespace {
 

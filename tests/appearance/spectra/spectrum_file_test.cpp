@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "appearance/spectra/input_error.h"
+#include "appearance/spectra/text/input_error.h"
 
 namespace spectra {
 namespace {

@@ -1,0 +1,80 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/run/room_options.h"
+#include "apps/run/session.h"
+#include "apps/system/outcome.h"
+#include "solver/rooms/room_colour.h"
+
+namespace apps {
+
+struct RoomCommand {
+  std::string room, out;
+  RoomOptions options;
+};
+
+struct ConvergenceCommand {
+  std::string room, out;
+  ConvergenceOptions options;
+};
+
+struct SolveCommand {
+  std::string room, out;
+  SolveOptions options;
+  std::optional<solver::ColourModel> colour;  ///< none: spectra
+};
+
+struct RankCommand {
+  std::string rooms, out;  ///< one room file; for batch a folder or a list of them
+  RankOptions options;
+};
+
+struct MixCommand {
+  std::string room, out;
+  MixOptions options;
+};
+
+struct FileCommand {
+  std::string in, out;
+  bool inverse = false;  ///< appearance only
+};
+
+using Colour = std::array<double, 3>;  ///< red, green, blue
+
+struct RelightCommand {
+  std::string in, out;
+  Colour from{}, to{};
+  std::string set = "granier-iso";
+  bool classical = false;
+};
+
+struct ShaderCommand {
+  std::string set = "granier-iso";
+  std::optional<Colour> alpha;
+};
+
+struct VerifyCommand {
+  std::string out;  ///< folder; empty: nothing is written
+};
+
+Exit check_room(const RoomCommand& command, const Session& session);
+Exit solve_room(const SolveCommand& command, const Session& session);
+Exit shift_room(const RoomCommand& command, const Session& session);
+Exit compare_room(const RoomCommand& command, const Session& session);
+Exit measure_room(const ConvergenceCommand& command, const Session& session);
+Exit rank_room(const RankCommand& command, const Session& session);
+Exit map_atlas(const RankCommand& command, const Session& session);
+Exit mix_room(const MixCommand& command, const Session& session);
+Exit invert_room(const RankCommand& command, const Session& session);
+Exit batch_rooms(const RankCommand& command, const Session& session);
+Exit convert_table(const FileCommand& command, const Session& session);
+Exit solve_cube(const FileCommand& command, const Session& session);
+Exit solve_brick(const FileCommand& command, const Session& session);
+Exit relight_picture(const RelightCommand& command, const Session& session);
+Exit print_shader(const ShaderCommand& command, const Session& session);
+Exit verify_engine(const VerifyCommand& command, const Session& session);
+
+}  // namespace apps

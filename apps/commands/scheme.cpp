@@ -1,0 +1,193 @@
+#include "apps/commands/scheme.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/reports/csv.h"
+#include "apps/studies/paint_wish.h"
+#include "apps/studies/painted_room.h"
+#include "apps/studies/resolve.h"
+#include "apps/system/terminal.h"
+#include "paints/scheme.h"
+
+namespace apps {
+namespace {
+
+constexpr std::size_t kTableRows = 10;
+
+/// The groups of a room with their atlases and targets.
+struct Groups {
+  std::vector<paints::Atlas> atlases;
+  std::vector<paints::SchemeGroup> groups;
+  double highest_reflectance = 0;
+};
+
+Groups groups_of(const RoomRun& run, const RankOptions& options) {
+  Groups all;
+  const std::size_t count = run.room.paint.size();
+  for (std::size_t g = 0; g < count; ++g) {
+    const std::string& atlas = run.room.paint[g].atlas;
+    all.atlases.push_back(
+        paints::load_atlas(options.atlas.empty() ? atlas : options.atlas, run.room.grid));
+  }
+  for (std::size_t g = 0; g < count; ++g) {
+    const scenes::TargetColour& target = target_of(run, g);
+    require_painted_view(run, g);
+    all.groups.push_back({.atlas = &all.atlases[g],
+                          .target = wished(run, target, g),
+                          .weight = run.room.paint[g].weight});
+    all.highest_reflectance =
+        std::max(all.highest_reflectance, highest_reflectance(all.atlases[g], target));
+  }
+  return all;
+}
+
+paints::SchemeRanking search(const RoomRun& run, const PaintedRoom& painted, const Groups& groups,
+                             const RankOptions& options, std::size_t top) {
+  const auto room = [&](int varying, const std::vector<spectra::Spectrum>& paints) {
+    std::vector<std::vector<spectra::LitRoom>> views;
+    for (int viewed = 0; viewed < static_cast<int>(run.room.paint.size()); ++viewed) {
+      views.push_back(painted.rooms(varying, viewed, paints));
+    }
+    return views;
+  };
+  return seeing(run, [&] {
+    return paints::rank_schemes(groups.groups, room,
+                                {.distance = options.distance,
+                                 .viewing = run.room.viewing,
+                                 .judgement = run.room.judgement,
+                                 .top = top});
+  });
+}
+
+std::string guarantee(const paints::SchemeRanking& ranking) {
+  if (ranking.exhaustive) return fmt::format("all {} schemes were compared", ranking.combinations);
+  return fmt::format(
+      "of {} schemes, none that differs from the best in {} of its paints is nearer; nothing is "
+      "known of the others",
+      ranking.combinations, ranking.differing == 1 ? "one" : "one or two");
+}
+
+std::string schemes_csv(const RoomRun& run, const Groups& groups,
+                        const paints::SchemeRanking& ranking, const std::vector<double>& solved) {
+  CsvText csv;
+  csv.cell("rank").cell("distance");
+  for (const scenes::PaintTask& group : run.room.paint) {
+    for (const char* what : {"paint", "distance", "J", "a_C", "b_C", "C", "h_deg", "H"}) {
+      csv.cell(fmt::format("{} {}", group.name, what));
+    }
+  }
+  csv.cell("distance_solved").end_row();
+  for (std::size_t i = 0; i < ranking.schemes.size(); ++i) {
+    const paints::Scheme& scheme = ranking.schemes[i];
+    csv.cell(static_cast<int>(i) + 1).cell(scheme.distance);
+    for (std::size_t g = 0; g < scheme.paints.size(); ++g) {
+      const paints::SeenPaint& seen = scheme.seen[g].front();
+      const appearance::Correlates& k = seen.correlates;
+      csv.cell(paint_name(groups.atlases[g], *scheme.paints[g])).cell(seen.distance);
+      csv.cell(k.lightness).cell(k.a_c).cell(k.b_c).cell(k.chroma).cell(k.hue_deg);
+      csv.cell(k.hue_quadrature);
+    }
+    csv.cell(i < solved.size() ? std::optional(solved[i]) : std::nullopt).end_row();
+  }
+  return csv.take();
+}
+
+std::vector<Winner> winners_of(const paints::SchemeRanking& ranking) {
+  std::vector<Winner> winners;
+  for (const paints::Scheme& scheme : ranking.schemes) {
+    winners.push_back({.distance = scheme.distance});
+    for (const paints::Paint* paint : scheme.paints) {
+      winners.back().paints.push_back(paint->reflectance);
+    }
+  }
+  return winners;
+}
+
+std::string best_table(const RoomRun& run, const Groups& groups,
+                       const paints::SchemeRanking& ranking) {
+  std::vector<std::vector<std::string>> rows{{"rank", "distance"}};
+  std::string alignment = "<>";
+  for (const scenes::PaintTask& group : run.room.paint) {
+    rows.front().push_back(group.name);
+    rows.front().push_back("its distance");
+    alignment += "<>";
+  }
+  for (std::size_t i = 0; i < std::min(kTableRows, ranking.schemes.size()); ++i) {
+    const paints::Scheme& scheme = ranking.schemes[i];
+    rows.push_back({fmt::format("{}", i + 1), fmt::format("{:.2f}", scheme.distance)});
+    for (std::size_t g = 0; g < scheme.paints.size(); ++g) {
+      rows.back().push_back(paint_name(groups.atlases[g], *scheme.paints[g]));
+      rows.back().push_back(fmt::format("{:.2f}", scheme.seen[g].front().distance));
+    }
+  }
+  return table(alignment, rows);
+}
+
+std::vector<Shift> shifts_of(const RoomRun& run, const Groups& groups,
+                             const paints::Scheme& scheme) {
+  std::vector<Shift> shifts;
+  for (std::size_t g = 0; g < scheme.paints.size(); ++g) {
+    const paints::SeenPaint& seen = scheme.seen[g].front();
+    shifts.push_back({.paint = paint_name(groups.atlases[g], *scheme.paints[g]),
+                      .surface = surface_name(run, viewed_point(run, g)),
+                      .reconstructed = groups.atlases[g].reconstructed,
+                      .swatch = seen_on_swatch(scheme.paints[g]->reflectance),
+                      .room = {seen.view.sample, seen.correlates}});
+  }
+  return shifts;
+}
+
+Json scheme_list(const Groups& groups, const paints::SchemeRanking& ranking) {
+  Json list = Json::array();
+  for (const paints::Scheme& scheme : ranking.schemes) {
+    Json paints = Json::array();
+    for (std::size_t g = 0; g < scheme.paints.size(); ++g) {
+      paints.push_back(paint_name(groups.atlases[g], *scheme.paints[g]));
+    }
+    list.push_back({{"rank", list.size() + 1}, {"distance", scheme.distance}, {"paints", paints}});
+  }
+  return list;
+}
+
+}  // namespace
+
+RunResult rank_schemes(RoomRun& run, const RankOptions& options, const std::filesystem::path& out) {
+  const auto& [lightness, chroma, hue_deg] = options.windows;
+  if (lightness || chroma || hue_deg) {
+    throw room_fault(run, "/paint", "names several groups, and windows are for one",
+                     "leave out --max-dJ, --max-dC and --max-dh");
+  }
+  const Groups groups = groups_of(run, options);
+  run.clock.stop("atlas");
+  PaintedRoom painted(run, options, out, groups.highest_reflectance);
+  const int top = options.top > 0 ? options.top : run.room.paint.front().top;
+  const paints::SchemeRanking ranking =
+      search(run, painted, groups, options, static_cast<std::size_t>(top));
+  run.clock.stop("rank");
+  const Resolved resolved = resolve(run, painted, winners_of(ranking), groups.groups, options);
+  run.clock.stop("resolve");
+
+  run.record["response"] = painted.record();
+  run.record["schemes"] = {{"combinations", ranking.combinations},
+                           {"exhaustive", ranking.exhaustive},
+                           {"guarantee", guarantee(ranking)},
+                           {"resolved", resolved.record("schemes")}};
+  std::vector<OutputFile> files{
+      {.path = out / "schemes.csv", .text = schemes_csv(run, groups, ranking, resolved.distance)}};
+  if (!ranking.schemes.empty()) {
+    files.push_back({.path = out / "shift.csv",
+                     .text = shift_csv(shifts_of(run, groups, ranking.schemes.front()))});
+  }
+  for (OutputFile& file : painted.files()) files.push_back(std::move(file));
+  RunResult result = finish(run, painted.converged(), std::move(files), out);
+  result.text = best_table(run, groups, ranking) + guarantee(ranking) + "\n";
+  result.data = {{"status", result.record["status"]},
+                 {"folder", out.string()},
+                 {"guarantee", guarantee(ranking)},
+                 {"schemes", scheme_list(groups, ranking)}};
+  return result;
+}
+
+}  // namespace apps

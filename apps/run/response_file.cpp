@@ -1,0 +1,192 @@
+#include "apps/run/response_file.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "appearance/spectra/text/input_error.h"
+#include "apps/system/sha256.h"
+
+namespace apps {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr const char* kFormat = "roomhue_response";
+constexpr int kVersion = 1;
+
+template <typename Values>
+Json list_of(const Values& values) {
+  Json list = Json::array();
+  for (Index i = 0; i < values.size(); ++i) list.push_back(values[i]);
+  return list;
+}
+
+Json json_of(const spectra::Spectrum& s) { return list_of(s.values); }
+
+Json json_of(const MatrixXd& m) {
+  return {{"rows", m.rows()}, {"columns", m.cols()}, {"values", list_of(m.reshaped())}};
+}
+
+MatrixXd matrix_of(const Json& json) {
+  const auto values = json.at("values").get<std::vector<double>>();
+  const auto rows = json.at("rows").get<Index>(), columns = json.at("columns").get<Index>();
+  if (rows < 0 || columns < 0 || rows * columns != static_cast<Index>(values.size())) {
+    throw std::out_of_range("a matrix of another size");
+  }
+  return Eigen::Map<const MatrixXd>(values.data(), rows, columns);
+}
+
+/// Sizes that fit together, whatever the numbers are.
+bool is_sound(const solver::ReducedViews& views) {
+  const auto& transfers = views.room.transfers;
+  const auto& bands = views.room.bands;
+  if (static_cast<int>(bands.size()) != views.grid.count || transfers.empty()) return false;
+  const auto outputs = transfers.front().phi.rows();
+  const auto lights = bands.empty() ? 0 : bands.front().gamma.cols();
+  for (const auto& t : transfers) {
+    const auto n = static_cast<Index>(t.group.size());
+    if (t.k.rows() != n || t.k.cols() != n || t.phi.rows() != outputs || t.phi.cols() != n) {
+      return false;
+    }
+    for (const int g : t.group) {
+      if (g < 0 || g >= views.room.groups) return false;
+    }
+  }
+  for (const auto& b : bands) {
+    if (b.transfer < 0 || b.transfer >= static_cast<int>(transfers.size())) return false;
+    const auto n = transfers[static_cast<std::size_t>(b.transfer)].k.rows();
+    if (b.gamma.rows() != n || b.gamma.cols() != lights || b.constant.rows() != outputs ||
+        b.constant.cols() != lights) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Json shape_of(const scenes::Room& room) {
+  Json shape{{"height_m", room.height_m}};
+  for (const Eigen::Vector2d& corner : room.plan_m) shape["plan_m"].push_back(list_of(corner));
+  for (const scenes::Opening& o : room.openings) {
+    shape["openings"].push_back(
+        {o.wall, o.offset_m, o.sill_m, o.width_m, o.height_m, json_of(o.transmittance)});
+  }
+  for (const scenes::Panel& p : room.panels) {
+    shape["panels"].push_back({p.on, list_of(p.center_m), list_of(p.size_m)});
+  }
+  for (const scenes::Box& b : room.furniture) {
+    shape["furniture"].push_back({list_of(b.min_m), list_of(b.max_m), b.rotate_z_deg});
+  }
+  return shape;
+}
+
+Json light_of(const scenes::Room& room) {
+  Json light;
+  for (const scenes::Surface& s : room.surfaces) light["exitance"].push_back(json_of(s.exitance));
+  for (const scenes::PointLight& p : room.point_lights) {
+    light["points"].push_back({list_of(p.at_m), json_of(p.spectral_flux)});
+  }
+  for (const scenes::Sun& s : room.suns) {
+    light["suns"].push_back({s.azimuth_deg, s.altitude_deg, json_of(s.normal_irradiance)});
+  }
+  return light;
+}
+
+}  // namespace
+
+std::string response_key(const scenes::Room& room, const RoomOptions& options) {
+  Json all{{"version", ROOMHUE_VERSION},
+           {"options", to_json(options)},
+           {"patch_m", options.patch_m > 0 ? options.patch_m : room.patch_m},
+           {"shape", shape_of(room)},
+           {"light", light_of(room)},
+           {"white", static_cast<int>(room.viewing.white)}};
+  for (const scenes::Scenario& s : room.scenarios) {
+    all["scenarios"].push_back(light_of(scenes::relit(room, s)));
+  }
+  for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
+    const int group = scenes::paint_group(room, s);
+    all["surfaces"].push_back(
+        group >= 0 ? Json(group) : json_of(room.surfaces[static_cast<std::size_t>(s)].reflectance));
+  }
+  for (std::size_t g = 0; g < room.paint.size(); ++g) {
+    const solver::ViewedPoint at = solver::viewed_point(room, g);
+    all["views"].push_back({list_of(at.eye_m), list_of(at.point_m), at.surface});
+  }
+  return sha256_of(all.dump());
+}
+
+OutputFile response_file(const std::filesystem::path& path, const std::string& key,
+                         const solver::ReducedViews& views) {
+  const solver::ReducedRoom& room = views.room;
+  Json json{{kFormat, kVersion},
+            {"key", key},
+            {"grid", {views.grid.first_nm, views.grid.step_nm, views.grid.count}},
+            {"viewed", views.viewed},
+            {"white_of_surfaces", views.white_of_surfaces},
+            {"groups", room.groups},
+            {"highest_reflectance", room.highest_reflectance},
+            {"solves", room.solves},
+            {"held_out_solves", room.held_out},
+            {"largest_error", room.largest_error},
+            {"converged", room.converged}};
+  for (const Eigen::VectorXd& share : views.share) json["share"].push_back(list_of(share));
+  for (const auto& t : room.transfers) {
+    json["transfers"].push_back({{"k", json_of(t.k)}, {"phi", json_of(t.phi)}, {"group", t.group}});
+  }
+  for (const auto& b : room.bands) {
+    json["bands"].push_back(
+        {{"transfer", b.transfer}, {"gamma", json_of(b.gamma)}, {"constant", json_of(b.constant)}});
+  }
+  return {.path = path, .text = json.dump() + "\n"};
+}
+
+void require_free_for_response(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return;
+  std::string start(64, '\0');
+  std::ifstream(path).read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (start.find(kFormat) != start.npos) return;
+  throw spectra::FileError(path.string() +
+                           ": exists and is no room response; name another file with --response");
+}
+
+std::optional<solver::ReducedViews> load_response(const std::filesystem::path& path,
+                                                  const std::string& key) {
+  std::ifstream file(path);
+  const Json json = Json::parse(file, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    if (json.at(kFormat) != kVersion || json.at("key") != key) return std::nullopt;
+    solver::ReducedViews views{.grid = {.first_nm = json.at("grid").at(0),
+                                        .step_nm = json.at("grid").at(1),
+                                        .count = json.at("grid").at(2)},
+                               .viewed = json.at("viewed"),
+                               .white_of_surfaces = json.at("white_of_surfaces")};
+    views.room.groups = json.at("groups");
+    views.room.highest_reflectance = json.at("highest_reflectance");
+    views.room.solves = json.at("solves");
+    views.room.held_out = json.at("held_out_solves");
+    views.room.largest_error = json.at("largest_error");
+    views.room.converged = json.at("converged");
+    for (const Json& share : json.value("share", Json::array())) {
+      const auto values = share.get<std::vector<double>>();
+      views.share.emplace_back(
+          Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Index>(values.size())));
+    }
+    for (const Json& t : json.at("transfers")) {
+      views.room.transfers.push_back({.k = matrix_of(t.at("k")),
+                                      .phi = matrix_of(t.at("phi")),
+                                      .group = t.at("group").get<std::vector<int>>()});
+    }
+    for (const Json& b : json.at("bands")) {
+      views.room.bands.push_back({.transfer = b.at("transfer"),
+                                  .gamma = matrix_of(b.at("gamma")),
+                                  .constant = matrix_of(b.at("constant"))});
+    }
+    return is_sound(views) ? std::optional(std::move(views)) : std::nullopt;
+  } catch (const std::exception&) {
+    return std::nullopt;  // whoever damaged it, solving anew mends it
+  }
+}
+
+}  // namespace apps

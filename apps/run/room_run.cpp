@@ -1,0 +1,121 @@
+#include "apps/run/room_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "scenes/files/room_json.h"
+
+namespace apps {
+void StageClock::stop(const std::string& stage) {
+  const auto now = std::chrono::steady_clock::now();
+  seconds_[stage] += std::chrono::duration<double>(now - last_).count();
+  last_ = now;
+}
+
+double StageClock::total_seconds() const {
+  double total = 0;
+  for (const auto& [stage, seconds] : seconds_) total += seconds;
+  return total;
+}
+
+RoomRun open_room(const std::string& path, const std::string& subcommand, const Json& options,
+                  const Session& session) {
+  RoomRun run{.path = path, .room = {}, .record = {}, .clock = {}, .transport = {}};
+  run.room = scenes::read_room(path);
+  run.clock.stop("read");
+  run.record = begin_record(run_identity(subcommand, path, options), session);
+  run.record["room"] = describe(run.room);
+  run.record["grid"] = describe(run.room.grid);
+  report_notes(run.room.notes);
+  return run;
+}
+
+solver::TransportOptions transport_options(const RoomRun& run, const RoomOptions& options,
+                                           const std::filesystem::path& out,
+                                           std::vector<solver::ViewedPoint> views) {
+  require_writable(out);
+  const bool eye = !views.empty() || run.room.view || !run.room.paint.empty();
+  for (std::size_t g = views.size(); g < std::max<std::size_t>(1, run.room.paint.size()); ++g) {
+    views.push_back(viewed_point(run, g));  // if nothing can be looked at, say so before long work
+  }
+  return {.patch_m = options.patch_m,
+          .views = std::move(views),
+          .skip = options.radiosity.skip,
+          .eye = eye};
+}
+
+void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::path& out,
+             std::vector<solver::ViewedPoint> views) {
+  run.transport =
+      solver::prepare_transport(run.room, transport_options(run, options, out, std::move(views)));
+  for (std::size_t r = 0; r < run.room.receivers.size(); ++r) {
+    const double defect = run.transport.receivers[r].gather.closure_defect;
+    if (defect < 1e-3) continue;
+    fmt::print(stderr, "note: {}: what it sees of all patches misses 1 by {:.2g} and is scaled\n",
+               run.room.receivers[r].name, defect);
+  }
+  run.clock.stop("transport");
+  run.record["transport"] = describe(run.transport);
+}
+
+spectra::InputError room_fault(const RoomRun& run, const std::string& pointer,
+                               const std::string& problem, const std::string& remedy) {
+  return spectra::InputError({{.file = run.path,
+                               .line = 0,
+                               .column = 0,
+                               .pointer = pointer,
+                               .problem = problem,
+                               .remedy = remedy}});
+}
+
+appearance::RoomView view_of(const RoomRun& run, const solver::RoomSolution& solution,
+                             std::size_t viewed) {
+  return seeing(run, [&] {
+    return appearance::view_of_room(solver::viewed_light(run.room, run.transport, solution, viewed),
+                                    run.room.viewing);
+  });
+}
+
+solver::ViewedPoint viewed_point(const RoomRun& run, std::size_t group) {
+  try {
+    return solver::viewed_point(run.room, group);
+  } catch (const std::invalid_argument& error) {
+    throw room_fault(run, "/view", error.what(), "give a view that meets a painted surface");
+  }
+}
+
+const std::string& surface_name(const RoomRun& run, const solver::ViewedPoint& at) {
+  return run.room.surfaces[static_cast<std::size_t>(at.surface)].name;
+}
+
+RunResult finish(RoomRun& run, bool converged, std::vector<OutputFile> files,
+                 const std::filesystem::path& out) {
+  Json& record = run.record;
+  record["status"] = converged ? "done" : "not converged";
+  record["seconds"] = run.clock.seconds();
+  record["seconds"]["total"] = run.clock.total_seconds();
+  record["seconds"]["transport_stages"] = run.transport.seconds;
+  record["peak_memory_bytes"] = peak_memory_bytes();
+  record["outputs"] = Json::array();
+  for (const OutputFile& file : files) record["outputs"].push_back(file.path.filename().string());
+  files.push_back(run_json(out, record));
+  write_files(files);
+  report_written(files);
+  if (!converged) {
+    fmt::print(stderr, "not converged: the outputs are marked in run.json; see its error bounds\n");
+  }
+  return {.exit = converged ? Exit::done : Exit::not_converged,
+          .record = record,
+          .data = {},
+          .text = {}};
+}
+
+Exit print_result(const RunResult& result, const Session& session) {
+  fmt::print("{}", session.json ? result.data.dump(2) + "\n" : result.text);
+  return result.exit;
+}
+
+}  // namespace apps

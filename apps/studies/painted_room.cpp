@@ -1,0 +1,130 @@
+#include "apps/studies/painted_room.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace apps {
+namespace {
+
+std::vector<spectra::LitRoom> lightings_of(const scenes::Room& room) {
+  if (room.scenarios.empty()) return {{}};
+  std::vector<spectra::LitRoom> lightings;
+  for (const scenes::Scenario& s : room.scenarios) {
+    lightings.push_back({.name = s.name, .weight = s.weight});
+  }
+  return lightings;
+}
+
+}  // namespace
+
+PaintedRoom::PaintedRoom(RoomRun& run, const RankOptions& options, const std::filesystem::path& out,
+                         double highest_reflectance)
+    : run_(run),
+      options_(options),
+      out_(out),
+      file_(options.response.empty() ? out / "response.json"
+                                     : std::filesystem::path(options.response)),
+      key_(response_key(run.room, options.room)) {
+  require_writable(out);
+  if (file_.has_parent_path()) require_writable(file_.parent_path());
+  require_free_for_response(file_);
+  if (auto known = load_response(file_, key_);
+      known && known->room.highest_reflectance >= highest_reflectance) {
+    views_ = std::move(*known);
+    loaded_ = true;
+    run_.clock.stop("response");
+    return;
+  }
+  need_transport();
+  views_ =
+      solver::reduce_views(run_.room, run_.transport, {.highest_reflectance = highest_reflectance});
+  run_.clock.stop("response");
+}
+
+void PaintedRoom::need_transport() {
+  if (prepared_) return;
+  prepare(run_, options_.room, out_);
+  prepared_ = true;
+}
+
+std::vector<spectra::LitRoom> PaintedRoom::lightings() const { return lightings_of(run_.room); }
+
+std::vector<spectra::LitRoom> PaintedRoom::rooms(
+    int varying, int viewed, const std::vector<spectra::Spectrum>& paints) const {
+  return lit_rooms(run_.room, views_, varying, viewed, paints);
+}
+
+std::vector<spectra::RoomResponseSlope> PaintedRoom::slopes(
+    int varying, int viewed, const std::vector<spectra::Spectrum>& paints) const {
+  const auto response =
+      std::make_shared<const solver::RoomResponse>(views_, varying, viewed, paints);
+  std::vector<spectra::RoomResponseSlope> slopes;
+  for (std::size_t l = 0; l < response->lightings(); ++l) {
+    slopes.emplace_back(
+        [response, l](const spectra::Spectrum& paint) { return response->slope(paint, l); });
+  }
+  return slopes;
+}
+
+std::vector<spectra::LitRoom> PaintedRoom::solved_rooms() {
+  std::vector<spectra::LitRoom> rooms = lightings();
+  for (std::size_t l = 0; l < rooms.size(); ++l) {
+    rooms[l].view = [this, l](const spectra::Spectrum& paint) {
+      return solver::viewed_light(run_.room, run_.transport, solve({paint}, l));
+    };
+  }
+  return rooms;
+}
+
+solver::RoomSolution PaintedRoom::solve(const std::vector<spectra::Spectrum>& paints,
+                                        std::size_t lighting) {
+  need_transport();
+  const std::size_t first_scenario = run_.room.scenarios.empty() ? 0 : 1;
+  solver::RoomSolution solution =
+      solver::solve_room(run_.room, run_.transport, options_.room.radiosity,
+                         {.lighting = first_scenario + lighting, .paints = paints});
+  ++solves_;
+  not_converged_ += solution.radiosity.converged ? 0 : 1;
+  return solution;
+}
+
+bool PaintedRoom::converged() const { return not_converged_ == 0 && views_.room.converged; }
+
+Json PaintedRoom::record() const {
+  const solver::ReducedRoom& room = views_.room;
+  std::size_t vectors = 0;
+  for (const auto& t : room.transfers) vectors = std::max(vectors, t.group.size());
+  return {{"file", file_.string()},
+          {"key", key_},
+          {"loaded", loaded_},
+          {"solves", room.solves},
+          {"held_out_solves", room.held_out},
+          {"largest_relative_error", room.largest_error},
+          {"highest_reflectance", room.highest_reflectance},
+          {"basis_vectors", vectors},
+          {"converged", room.converged},
+          {"full_solves", solves_},
+          {"full_solves_not_converged", not_converged_}};
+}
+
+std::vector<OutputFile> PaintedRoom::files() const {
+  if (loaded_) return {};
+  return {response_file(file_, key_, views_)};
+}
+
+std::vector<spectra::LitRoom> lit_rooms(const scenes::Room& room, const solver::ReducedViews& views,
+                                        int varying, int viewed,
+                                        const std::vector<spectra::Spectrum>& paints) {
+  const auto response =
+      std::make_shared<const solver::RoomResponse>(views, varying, viewed, paints);
+  std::vector<spectra::LitRoom> rooms = lightings_of(room);
+  for (std::size_t l = 0; l < rooms.size(); ++l) {
+    rooms[l].view = [response, l](const spectra::Spectrum& paint) {
+      return response->light(paint, l);
+    };
+  }
+  return rooms;
+}
+
+}  // namespace apps

@@ -1,0 +1,275 @@
+// The lights of a room file: what they are, and how much light they give.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "appearance/spectra/photometry.h"
+#include "scenes/files/room_reader.h"
+#include "scenes/geometry/fits.h"
+
+namespace scenes {
+
+using spectra::JsonNode;
+using spectra::JsonObject;
+using spectra::Limits;
+
+namespace {
+
+const std::vector<std::string> kKinds{"panel", "opening", "point", "sun"};
+const std::vector<std::string> kAmounts{"flux_lm", "power_W", "illuminance_lx", "exitance_W_m2_nm"};
+constexpr Limits kAmount{.least = 0, .most = 1e9, .above_least = true};
+
+std::vector<std::string> present(const JsonObject& object, const std::vector<std::string>& keys) {
+  std::vector<std::string> found;
+  std::ranges::copy_if(keys, std::back_inserter(found),
+                       [&](const std::string& key) { return object.has(key); });
+  return found;
+}
+
+double efficacy_lm_W(const JsonObject& light, const LightShape& shape) {
+  // No light source gives more than 683 lm per watt.
+  const Limits limits{.least = 0, .most = 683, .above_least = true};
+  if (light.has("efficacy_lm_W")) return light.number("efficacy_lm_W", limits);
+  if (shape.efficacy_lm_W > 0) return shape.efficacy_lm_W;
+  light.fault("\"power_W\" needs the efficacy of the lamp", "add \"efficacy_lm_W\"");
+  return NAN;
+}
+
+}  // namespace
+
+void RoomReader::read_lights() {
+  opening_exitance_.resize(room_.openings.size());
+  const auto lights = top_.need("lights");
+  lights_known_ = lights && lights->is(JsonNode::Kind::list);
+  if (!lights) return;
+  const Places entries = lights->list();
+  if (entries.empty() && lights->is(JsonNode::Kind::list)) {
+    lights->fault("there is no light at all", "add a panel, a lit opening, a point or a sun");
+  }
+  for (const JsonNode& node : entries) {
+    read_light(
+        node.object({"name", "panel", "opening", "point", "sun", "reflectance", "spectrum",
+                     "flux_lm", "power_W", "efficacy_lm_W", "illuminance_lx", "exitance_W_m2_nm"}));
+  }
+}
+
+void RoomReader::read_light(const JsonObject& light) {
+  const std::string name = light.name("name");
+  if (const auto node = light.find("name")) claim_name(*node, name);
+  const std::vector<std::string> kinds = present(light, kKinds);
+  if (kinds.size() != 1) {
+    lights_known_ = false;
+    light.fault(kinds.empty() ? "the light says not what it is"
+                              : fmt::format("the light is both {} and {}", kinds[0], kinds[1]),
+                "give exactly one of " + spectra::alternatives(kKinds));
+    return;
+  }
+  const JsonNode node = *light.find(kinds[0]);
+  if (const auto reflectance = light.find("reflectance"); reflectance && kinds[0] != "panel") {
+    reflectance->fault(fmt::format("\"reflectance\" has no meaning for this light ({})", kinds[0]),
+                       "an opening's stands in \"surfaces\"; leave it out here");
+  }
+  const LightEntry entry{.light = light, .kind = node, .name = name};
+  if (kinds[0] == "panel") {
+    read_panel(entry);
+  } else if (kinds[0] == "opening") {
+    read_lit_opening(entry);
+  } else if (kinds[0] == "point") {
+    read_point(entry);
+  } else {
+    read_sun(entry);
+  }
+}
+
+spectra::Spectrum RoomReader::emitted(const JsonObject& light, const AmountRules& rules) {
+  const std::vector<std::string> amounts = present(light, kAmounts);
+  const auto shape_node = light.find("spectrum");
+  const auto efficacy = light.find("efficacy_lm_W");
+  const LightShape shape =
+      shape_node ? curves_.light_shape(*shape_node) : LightShape{.spectrum = curves_.zero()};
+  if (amounts.size() != 1) {
+    light.fault(amounts.empty()
+                    ? "the light has no amount"
+                    : fmt::format("the light has two amounts, {} and {}", amounts[0], amounts[1]),
+                "give exactly one of " + spectra::alternatives(rules.keys));
+    return curves_.zero();
+  }
+  const std::string& key = amounts[0];
+  const JsonNode node = *light.find(key);
+  if (std::ranges::find(rules.keys, key) == rules.keys.end()) {
+    node.fault(fmt::format("\"{}\" has no meaning for a {}", key, rules.kind),
+               "give " + spectra::alternatives(rules.keys));
+    return curves_.zero();
+  }
+  if (efficacy && key != "power_W") {
+    efficacy->fault("an efficacy goes with \"power_W\" only", "leave it out");
+  }
+  if (key == "exitance_W_m2_nm") {
+    if (shape_node) {
+      room_.notes.push_back(shape_node->pointer() + ": replaced by exitance_W_m2_nm");
+    }
+    return curves_.absolute_light(node);
+  }
+  if (!shape_node) light.fault("the key \"spectrum\" is missing", "add \"spectrum\"");
+
+  double amount = node.number(kAmount);
+  if (key == "power_W") amount *= efficacy_lm_W(light, shape);
+  if (key != "illuminance_lx") amount /= rules.area_m2;
+  if (!std::isfinite(amount) || !(spectra::luminous(shape.spectrum) > 0)) return curves_.zero();
+  return spectra::scaled_to_luminous(shape.spectrum, amount);
+}
+
+void RoomReader::read_panel(const LightEntry& entry) {
+  const JsonObject shape = entry.kind.object({"on", "center_m", "size_m", "reflectance"});
+  const std::vector<double> center = shape.numbers("center_m", 2, kCoordinate_m);
+  const std::vector<double> size = shape.numbers("size_m", 2, kLength_m);
+  Panel panel{.name = entry.name,
+              .on = -1,
+              .center_m = {center[0], center[1]},
+              .size_m = {size[0], size[1]}};
+  if (const auto on = shape.need("on")) panel.on = panel_surface(*on);
+
+  Lamp lamp{.reflectance = {.spectrum = curves_.zero()},
+            .exitance = emitted(entry.light, {.kind = "panel",
+                                              .keys = {"flux_lm", "power_W", "exitance_W_m2_nm"},
+                                              .area_m2 = size[0] * size[1]})};
+  const auto own = shape.find("reflectance"), beside = entry.light.find("reflectance");
+  if (own && beside) own->fault("the panel has two reflectances", "keep one of them");
+  if (own || beside) lamp.reflectance = curves_.reflectance(own ? *own : *beside);
+  room_.lights.push_back({.name = entry.name,
+                          .kind = SurfaceKind::panel,
+                          .index = static_cast<int>(room_.panels.size()),
+                          .exitance = lamp.exitance});
+  room_.panels.push_back(panel);
+  lamps_.push_back(lamp);
+  panel_places_.push_back(entry.kind);
+  check_panel();
+}
+
+int RoomReader::panel_surface(const JsonNode& on) const {
+  if (on.is(JsonNode::Kind::text)) {
+    if (on.text() == "floor") return 0;
+    if (on.text() == "ceiling") return 1;
+  }
+  const int wall = wall_named(on);
+  return wall < 0 ? -1 : wall + 2;
+}
+
+void RoomReader::check_panel() const {
+  const Panel& panel = room_.panels.back();
+  const JsonNode& place = panel_places_.back();
+  const Polygon extent = extent_of(panel);
+  if (panel.on < 0 || !plan_sound_ || !is_sound(extent)) return;
+  const Polygon holder = panel.on < 2
+                             ? room_.plan_m
+                             : rectangle({0, 0}, {wall_length_m(panel.on - 2), room_.height_m});
+  if (!fits_into(holder, extent)) {
+    place.fault("the panel reaches beyond the surface that it is on",
+                "move it or make it smaller; on a wall, center_m is [along, up]");
+  }
+  for (std::size_t i = 0; i + 1 < room_.panels.size(); ++i) {
+    const Polygon other = extent_of(room_.panels[i]);
+    if (room_.panels[i].on == panel.on && is_sound(other) && overlap(extent, other)) {
+      place.fault(fmt::format("the panel overlaps the panel \"{}\"", room_.panels[i].name),
+                  "move one of them");
+    }
+  }
+  for (const Opening& opening : room_.openings) {
+    const Polygon other = extent_of(opening);
+    if (opening.wall >= 0 && opening.wall + 2 == panel.on && is_sound(other) &&
+        overlap(extent, other)) {
+      place.fault(fmt::format("the panel overlaps the opening \"{}\"", opening.name),
+                  "move one of them");
+    }
+  }
+}
+
+void RoomReader::read_lit_opening(const LightEntry& entry) {
+  std::vector<std::string> names;
+  for (const Opening& o : room_.openings) names.push_back(o.name);
+  const std::string name = entry.kind.name();
+  const auto found = std::ranges::find(names, name);
+  const bool known = found != names.end() && !name.empty();
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  const spectra::Spectrum exitance = emitted(
+      entry.light,
+      {.kind = "lit opening",
+       .keys = {"flux_lm", "power_W", "illuminance_lx", "exitance_W_m2_nm"},
+       .area_m2 = known ? room_.openings[index].width_m * room_.openings[index].height_m : NAN});
+  if (known) {
+    auto& sum = opening_exitance_[index];
+    if (!sum) sum = curves_.zero();
+    sum->values += exitance.values;
+    room_.lights.push_back({.name = entry.name,
+                            .kind = SurfaceKind::opening,
+                            .index = static_cast<int>(index),
+                            .exitance = exitance});
+    return;
+  }
+  lights_known_ = false;
+  // An opening whose own name could not be read may be the one that is meant.
+  if (!name.empty() && std::ranges::find(names, "") == names.end()) {
+    entry.kind.fault(
+        fmt::format("there is no opening \"{}\"", name),
+        names.empty() ? "add it to \"openings\"" : "give " + spectra::alternatives(names));
+  }
+}
+
+void RoomReader::read_point(const LightEntry& entry) {
+  const std::vector<double> at = entry.kind.object({"at_m"}).numbers("at_m", 3, kCoordinate_m);
+  const Eigen::Vector3d at_m(at[0], at[1], at[2]);
+  room_.lights.push_back(
+      {.name = entry.name, .point = static_cast<int>(room_.point_lights.size())});
+  room_.point_lights.push_back(
+      {.name = entry.name,
+       .at_m = at_m,
+       .spectral_flux = emitted(entry.light, {.kind = "point", .keys = {"flux_lm", "power_W"}})});
+  // On a surface half of the flux would be lost; 1 mm is where a lamp is no point any more.
+  if (at_m.allFinite() && plan_sound_ && clearance_m(at_m) < 1e-3) {
+    entry.kind.fault("the point light is outside the room, on a surface or in furniture",
+                     "move it to where there is air around it, at least 1 mm");
+  }
+}
+
+void RoomReader::read_sun(const LightEntry& entry) {
+  const JsonObject place = entry.kind.object({"azimuth_deg", "altitude_deg"});
+  const Sun sun{
+      .name = entry.name,
+      .azimuth_deg = place.number("azimuth_deg", {.least = -360, .most = 360}),
+      .altitude_deg = place.number("altitude_deg", {.least = 0, .most = 90, .above_least = true}),
+      .normal_irradiance =
+          emitted(entry.light, {.kind = "sun", .keys = {"illuminance_lx", "exitance_W_m2_nm"}})};
+  room_.lights.push_back({.name = entry.name, .sun = static_cast<int>(room_.suns.size())});
+  room_.suns.push_back(sun);
+  if (opening_places_.empty()) {
+    entry.kind.fault("the room has no opening for the sun", "add one to \"openings\"");
+  } else if (plan_sound_ && std::isfinite(sun.azimuth_deg + sun.altitude_deg)) {
+    check_sun(sun, entry.kind);
+  }
+}
+
+void RoomReader::check_sun(const Sun& sun, const JsonNode& place) {
+  const double azimuth = sun.azimuth_deg * std::numbers::pi / 180;
+  const Eigen::Vector2d to_sun(std::sin(azimuth), std::cos(azimuth));
+  const bool enters = std::ranges::any_of(room_.openings, [&](const Opening& o) {
+    if (o.wall < 0) return true;
+    const auto i = static_cast<std::size_t>(o.wall);
+    const Eigen::Vector2d along = room_.plan_m[(i + 1) % room_.plan_m.size()] - room_.plan_m[i];
+    // The outer normal of a wall is (along.y, -along.x).
+    return sun.altitude_deg < 90 && along.y() * to_sun.x() - along.x() * to_sun.y() > 0;
+  });
+  if (enters) return;
+  if (top_.find("lights")->list().size() == 1) {
+    place.fault("the only light is a sun behind all openings",
+                "turn azimuth_deg (clockwise from +y seen from above) or add a light");
+  }
+  room_.notes.push_back(place.pointer() + ": no opening faces this sun, it adds no light");
+}
+
+Polygon extent_of(const Panel& panel) {
+  return rectangle(panel.center_m - panel.size_m / 2, panel.center_m + panel.size_m / 2);
+}
+
+}  // namespace scenes

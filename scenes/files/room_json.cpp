@@ -1,0 +1,57 @@
+#include "scenes/files/room_json.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include "scenes/files/room_reader.h"
+
+namespace scenes {
+
+using spectra::JsonNode;
+
+RoomReader::RoomReader(spectra::JsonFile& file, const spectra::Grid& grid)
+    : file_(file),
+      curves_(file, grid),
+      top_(file.root().object({"$schema", "roomhue", "name", "plan_m", "wall_names", "height_m",
+                               "patch_m", "openings", "furniture", "surfaces", "lights",
+                               "receivers", "view", "paint", "scenarios", "judge"})) {
+  room_.grid = grid;
+}
+
+Room RoomReader::read() {
+  if (const auto version = top_.need("roomhue")) (void)version->whole_number(1, 1);
+  const auto name = top_.find("name");
+  room_.name = name ? name->name() : std::filesystem::path(file_.path()).stem().string();
+  read_plan();
+  read_wall_names();
+  read_openings();
+  read_furniture();
+  read_lights();
+  read_surfaces();
+  if (plan_sound_) check_covered();
+  read_receivers();
+  read_view();
+  read_paint();
+  read_scenarios();
+  file_.throw_faults();
+  room_.notes.insert(room_.notes.end(), curves_.notes().begin(), curves_.notes().end());
+  return std::move(room_);
+}
+
+Room read_room(const std::string& path, const spectra::Grid& grid) {
+  spectra::JsonFile file = spectra::read_json_file(path);
+  return RoomReader(file, grid).read();
+}
+
+bool is_sound(const Polygon& polygon) {
+  for (const Eigen::Vector2d& corner : polygon) {
+    if (!corner.allFinite()) return false;
+  }
+  return true;
+}
+
+bool is_sound(const Box& box) {
+  return box.min_m.allFinite() && box.max_m.allFinite() && std::isfinite(box.rotate_z_deg);
+}
+
+}  // namespace scenes

@@ -1,0 +1,121 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "appearance/spectra/text/json_reader.h"
+#include "scenes/files/curve_reader.h"
+#include "scenes/geometry/plane_polygon.h"
+#include "scenes/room.h"
+
+namespace scenes {
+
+/// Builds a Room from a file; one use. Numbers that could not be read are NaN, and checks are
+/// written so that NaN passes them: one slip gives one fault.
+class RoomReader {
+ public:
+  /// `file` must outlive the reader.
+  RoomReader(spectra::JsonFile& file, const spectra::Grid& grid);
+
+  /// @throws spectra::InputError  with every fault of the file
+  [[nodiscard]] Room read();
+
+ private:
+  /// Where an entry stands in the file, for checks that come later.
+  using Places = std::vector<spectra::JsonNode>;
+
+  struct LightEntry {
+    spectra::JsonObject light;
+    spectra::JsonNode kind;  ///< the value of "panel", "opening", "point" or "sun"
+    std::string name;
+  };
+
+  /// What a panel's light says about its surface.
+  struct Lamp {
+    Reflectance reflectance;
+    spectra::Spectrum exitance;
+  };
+
+  /// The amounts that a kind of light takes, and the area that its flux is spread over.
+  struct AmountRules {
+    std::string_view kind;
+    std::vector<std::string> keys;
+    double area_m2 = 1;
+  };
+
+  // read_plan.cpp
+  void read_plan();
+  void check_plan(const Places& corners);
+  void read_wall_names();
+  void read_openings();
+  void check_opening(std::size_t opening) const;
+  void read_furniture();
+  void check_box(std::size_t box) const;
+  void claim_name(const spectra::JsonNode& place, const std::string& name);
+  /// -1 and a fault if there is no such wall; -1 without one if walls are not known.
+  [[nodiscard]] int wall_named(const spectra::JsonNode& node) const;
+  [[nodiscard]] double wall_length_m(int wall) const;
+
+  // read_lights.cpp
+  void read_lights();
+  void read_light(const spectra::JsonObject& light);
+  void read_panel(const LightEntry& entry);
+  [[nodiscard]] int panel_surface(const spectra::JsonNode& on) const;
+  void check_panel() const;
+  void read_lit_opening(const LightEntry& entry);
+  void read_point(const LightEntry& entry);
+  void read_sun(const LightEntry& entry);
+  void check_sun(const Sun& sun, const spectra::JsonNode& place);
+  [[nodiscard]] spectra::Spectrum emitted(const spectra::JsonObject& light,
+                                          const AmountRules& rules);
+
+  // read_surfaces.cpp
+  void read_surfaces();
+  void add_surface(const std::string& name, SurfaceKind kind, std::size_t index);
+  void set_reflectance(Surface& surface, const spectra::JsonObject& given,
+                       const std::optional<Reflectance>& walls);
+  void check_covered() const;
+
+  // read_task.cpp
+  void read_receivers();
+  void read_view();
+  void read_viewing_choices(const spectra::JsonObject& view);
+  void read_view_points(const spectra::JsonObject& view, std::optional<View>& into);
+  void read_scenarios();
+  void read_scenario(const spectra::JsonNode& node);
+  void read_paint();
+  void read_paint_group(const spectra::JsonNode& node);
+  void read_painted(const spectra::JsonNode& node, PaintTask& task);
+  void read_atlas(const spectra::JsonNode& node, PaintTask& task);
+  void read_target(const spectra::JsonNode& node, PaintTask& task);
+  /// Distance to the nearest surface; negative outside the room and within furniture.
+  [[nodiscard]] double clearance_m(const Eigen::Vector3d& point_m) const;
+
+  spectra::JsonFile& file_;
+  CurveReader curves_;
+  spectra::JsonObject top_;
+  Room room_;
+  bool walls_known_ = false;  ///< their number, hence their names
+  bool plan_sound_ = false;   ///< a simple counter-clockwise polygon and a height
+  bool lights_known_ = true;  ///< which openings are lit
+  std::vector<std::string> wall_names_;
+  std::vector<std::string> names_;  ///< taken by walls, openings, furniture, lights
+  Places opening_places_, box_places_, panel_places_;
+  std::vector<std::optional<spectra::Spectrum>> opening_exitance_;  ///< of those that are lit
+  std::vector<Lamp> lamps_;                                         ///< as room_.panels
+};
+
+/// Lengths and places that a room can have, metres.
+inline constexpr spectra::Limits kLength_m{.least = 1e-3, .most = 1e4};
+inline constexpr spectra::Limits kCoordinate_m{.least = -1e4, .most = 1e4};
+
+/// All of its numbers could be read.
+[[nodiscard]] bool is_sound(const Polygon& polygon);
+[[nodiscard]] bool is_sound(const Box& box);
+
+/// In the frame of the surface that holds it.
+[[nodiscard]] Polygon extent_of(const Opening& opening);
+[[nodiscard]] Polygon extent_of(const Panel& panel);
+
+}  // namespace scenes

@@ -1,0 +1,64 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "scenes/mesh/patch_mesh.h"
+#include "scenes/room.h"
+#include "solver/bands.h"
+#include "solver/obstacles/visibility.h"
+
+namespace solver {
+
+/// Light from sources that are no patches, the paper's "first shot" [Neumann2004] 4.2: point lights
+/// and the sun through openings.
+
+/// Area means over the patches, patch x band. Solid angles, lit polygons and shadows are
+/// exact; each source is then scaled, by what rounding leaves, so that all its flux arrives in the
+/// closed room.
+struct DirectLight {
+  Bands irradiance;
+  double largest_scaling = 0;  ///< max |scale - 1| over the sources
+};
+
+struct PointSource {
+  Eigen::Vector3d at_m;
+  Eigen::ArrayXd intensity;  ///< W sr^-1 nm^-1
+  Shadows shadows;
+};
+
+/// The sun through one opening: a prism of parallel light.
+struct SunBeam {
+  int surface = 0;  ///< the opening
+  Eigen::Vector3d to_sun;
+  Plane opening;             ///< front: into the room
+  std::vector<Plane> sides;  ///< the prism is in front of all
+  Shadows shadows;           ///< of what is on the room's side of the opening
+  Eigen::ArrayXd normal_irradiance;
+};
+
+/// The point lights and suns of a room, and what stands in their way.
+class DirectSources {
+ public:
+  DirectSources(const scenes::Room& room, const Visibility& visibility);
+
+  [[nodiscard]] DirectLight on_patches(const scenes::PatchMesh& mesh,
+                                       const std::vector<Facet>& facets) const;
+
+  /// Irradiance per band at a surface element; shadows are sharp.
+  [[nodiscard]] Eigen::ArrayXd at_point(const Eigen::Vector3d& point,
+                                        const Eigen::Vector3d& normal) const;
+
+ private:
+  Eigen::Index bands_;
+  std::vector<PointSource> lamps_;
+  std::vector<SunBeam> beams_;
+};
+
+/// Solid angle of a polygon that shows its front to the point, sr [VanOosterom1983].
+[[nodiscard]] double solid_angle(const Eigen::Vector3d& point,
+                                 const std::vector<Eigen::Vector3d>& polygon);
+
+/// Unit vector towards the sun; azimuth clockwise from +y seen from above.
+[[nodiscard]] Eigen::Vector3d towards_sun(const scenes::Sun& sun);
+
+}  // namespace solver
