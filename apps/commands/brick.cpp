@@ -1,4 +1,4 @@
-#include "apps/reports/closed_form_report.h"
+#include "apps/commands/closed_form_report.h"
 
 namespace apps {
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "apps/commands/commands.h"
+#include "apps/reports/colour_reports.h"
 #include "apps/reports/compare_report.h"
 #include "apps/studies/surface_views.h"
 #include "apps/system/terminal.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/commands/commands.h"
+#include "apps/reports/colour_reports.h"
 #include "apps/reports/csv.h"
 #include "apps/reports/inverse_report.h"
 #include "apps/studies/paint_wish.h"

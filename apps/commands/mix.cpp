@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apps/commands/commands.h"
+#include "apps/reports/colour_reports.h"
 #include "apps/reports/csv.h"
 #include "apps/studies/paint_wish.h"
 #include "apps/studies/painted_room.h"

@@ -7,6 +7,7 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/scheme.h"
+#include "apps/reports/colour_reports.h"
 #include "apps/studies/paint_wish.h"
 #include "apps/studies/painted_room.h"
 #include "apps/studies/resolve.h"

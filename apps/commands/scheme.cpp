@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "apps/reports/colour_reports.h"
 #include "apps/reports/csv.h"
 #include "apps/studies/paint_wish.h"
 #include "apps/studies/painted_room.h"

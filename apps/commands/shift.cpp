@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "apps/commands/commands.h"
+#include "apps/reports/colour_reports.h"
 #include "apps/studies/painted_room.h"
 #include "apps/studies/surface_views.h"
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "apps/commands/commands.h"
 #include "apps/reports/verify_report.h"
 #include "apps/run/run_record.h"
 #include "apps/system/terminal.h"

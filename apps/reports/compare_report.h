@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/run/room_options.h"
 #include "apps/studies/colour_verdict.h"
 
 namespace apps {

@@ -9,6 +9,7 @@
 #include "appearance/spectra/text/input_error.h"
 #include "apps/run/room_options.h"
 #include "apps/run/run_record.h"
+#include "apps/system/outcome.h"
 
 namespace apps {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "solver/bounce/radiosity.h"
+
 namespace solver {
 
 using Eigen::ArrayXd;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "solver/exchange/exchange.h"
 #include "solver/factors/pair_factor.h"
 #include "solver/rooms/room_faces.h"
 #include "solver/sources/direct_light.h"

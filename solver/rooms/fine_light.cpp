@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "appearance/spectra/display_colour.h"
+#include "solver/exchange/exchange.h"
 #include "solver/sources/direct_light.h"
 
 namespace solver {

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "solver/exchange/exchange.h"
 #include "solver/sensors/gather.h"
 
 namespace solver {

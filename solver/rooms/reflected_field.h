@@ -3,6 +3,7 @@
 
 #include "scenes/mesh/patch_mesh.h"
 #include "solver/bounce/radiosity.h"
+#include "solver/factors/facet.h"
 
 namespace solver {
 

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "solver/bounce/repeated_bands.h"
+#include "solver/exchange/exchange.h"
 #include "solver/rooms/mesh_choice.h"
 #include "solver/sources/direct_light.h"
 

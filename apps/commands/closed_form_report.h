@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/run/session.h"
+#include "apps/commands/commands.h"
 #include "scenes/files/closed_form_json.h"
 #include "solver/judges/closed_form_inverse.h"
 
