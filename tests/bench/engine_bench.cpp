@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scenes/files/room_json.h"
+#include "solver/exchange/exchange.h"
 #include "solver/rooms/room_light.h"
 
 namespace {

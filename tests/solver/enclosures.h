@@ -2,6 +2,7 @@
 #include <random>
 
 #include "solver/bounce/radiosity.h"
+#include "solver/exchange/exchange.h"
 
 namespace solver {
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/exchange/clusters.h"
 #include "tests/solver/enclosures.h"
 #include "tests/support/stability_rooms.h"
 

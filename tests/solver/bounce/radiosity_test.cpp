@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "solver/exchange/exchange.h"
 #include "tests/solver/enclosures.h"
 
 namespace solver {

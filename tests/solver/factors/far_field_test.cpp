@@ -28,7 +28,7 @@ std::vector<Facet> around_first(double ratio, bool aligned, std::mt19937& random
   };
   std::vector<Facet> facets{facet({5, 3, 1}, {0.2 + 0.4 * unit(random), 0, 0}, {0, 0.2, 0}, false)};
   const Facet first = facets[0];
-  while (facets.size() < kTile) {
+  while (facets.size() < kFarPatches) {
     const Vector3d normal = aligned ? -Vector3d::Unit(random() % 3) : direction();
     const Vector3d u = (aligned ? Vector3d(normal.y(), normal.z(), normal.x())
                                 : normal.cross(direction()).normalized());
@@ -59,12 +59,13 @@ TEST(FarField, KeepsTheEstimatedErrorAndOneRoundingAtEverySwitch) {
       const FarField far(facets);
       FarRow row;
       far.start(0, 0, row);
-      std::array<int, kTile> order{};
-      for (std::size_t j = 1; j < kTile; ++j) order[j] = far_field_order(row.distance_over_size[j]);
-      std::array<float, kTile> exchange_area_m2{};
+      std::array<int, kFarPatches> order{};
+      for (std::size_t j = 1; j < kFarPatches; ++j)
+        order[j] = far_field_order(row.distance_over_size[j]);
+      std::array<float, kFarPatches> exchange_area_m2{};
       far.exchange(row, order, exchange_area_m2.data());
       EXPECT_EQ(exchange_area_m2[0], 0);
-      for (std::size_t j = 1; j < kTile; ++j) {
+      for (std::size_t j = 1; j < kFarPatches; ++j) {
         const Facet &a = facets[0], &b = facets[j];
         const double exact =
             far_exchange(quadrature(a.vertices, 6), a.normal, quadrature(b.vertices, 6), b.normal);
@@ -85,11 +86,11 @@ TEST(FarField, RectanglesAlongCommonAxesKeepRoundingToFloat) {
     const FarField far(facets);
     FarRow row;
     far.start(0, 0, row);
-    std::array<int, kTile> order{};
+    std::array<int, kFarPatches> order{};
     for (std::size_t j = 1; j < facets.size(); ++j) {
       order[j] = far_field_order(row.distance_over_size[j]);
     }
-    std::array<float, kTile> exchange_area_m2{};
+    std::array<float, kFarPatches> exchange_area_m2{};
     far.exchange(row, order, exchange_area_m2.data());
     for (std::size_t j = 1; j < facets.size(); ++j) {
       const double exact = far_exchange(quadrature(facets[0].vertices, 6), facets[0].normal,

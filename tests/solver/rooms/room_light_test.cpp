@@ -7,6 +7,7 @@
 
 #include "appearance/spectra/photometry.h"
 #include "scenes/files/room_json.h"
+#include "solver/exchange/exchange.h"
 #include "solver/sources/direct_light.h"
 #include "tests/solver/box_reference.h"
 
