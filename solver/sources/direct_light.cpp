@@ -110,7 +110,9 @@ DirectLight DirectSources::on_patches(const scenes::PatchMesh& mesh,
     tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
       if (facets[i].plane().height_m(lamp.at_m) <= 0) return;
       for (const auto& part : lamp.shadows.lit_parts(facets[i].vertices)) {
-        angle[static_cast<Eigen::Index>(i)] += solid_angle(lamp.at_m, part);
+        // All parts show their front. A silhouette that nearly lies in an edge leaves slivers as
+        // thin as rounding, of either sign.
+        angle[static_cast<Eigen::Index>(i)] += std::max(0.0, solid_angle(lamp.at_m, part));
       }
     });
     spread(angle, 4 * pi, lamp.intensity, facets, light);
