@@ -227,7 +227,7 @@ void RoomReader::read_point(const LightEntry& entry) {
        .at_m = at_m,
        .spectral_flux = emitted(entry.light, {.kind = "point", .keys = {"flux_lm", "power_W"}})});
   // On a surface half of the flux would be lost; 1 mm is where a lamp is no point any more.
-  if (at_m.allFinite() && plan_sound_ && clearance_m(at_m) < 1e-3) {
+  if (at_m.allFinite() && plan_sound_ && clearance_m(at_m) < kShortest_m) {
     entry.kind.fault("the point light is outside the room, on a surface or in furniture",
                      "move it to where there is air around it, at least 1 mm");
   }

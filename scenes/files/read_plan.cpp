@@ -48,7 +48,7 @@ void RoomReader::check_plan(const Places& corners) {
   }
   for (std::size_t i = 0; i < n; ++i) {
     const double wall_m = (room_.plan_m[(i + 1) % n] - room_.plan_m[i]).norm();
-    if (wall_m < kLength_m.least) {
+    if (wall_m < kShortest_m) {
       corners[(i + 1) % n].fault("this corner repeats the one before",
                                  "leave one of them out (the last corner is joined to the first); "
                                  "walls are at least 1 mm long");
@@ -77,8 +77,11 @@ void RoomReader::read_wall_names() {
     }
     walls_known_ = walls_known_ && entries.size() == wall_names_.size();
     wall_names_.clear();
-    for (const JsonNode& entry : entries) wall_names_.push_back(entry.name());
-    for (std::size_t i = 0; i < entries.size(); ++i) claim_name(entries[i], wall_names_[i]);
+    for (const JsonNode& entry : entries) {
+      wall_names_.push_back(entry.name());
+      claim_name(entry, wall_names_.back());
+    }
+    wall_names_.resize(room_.plan_m.size());  // a name too many is no wall
   } else {
     names_.insert(names_.end(), wall_names_.begin(), wall_names_.end());
   }
@@ -160,7 +163,7 @@ void RoomReader::read_furniture() {
       const JsonObject corners = extent->object({"min", "max"});
       box.min_m = vector3(corners.numbers("min", 3, kCoordinate_m));
       box.max_m = vector3(corners.numbers("max", 3, kCoordinate_m));
-      if (((box.max_m - box.min_m).array() < kLength_m.least).any()) {
+      if (((box.max_m - box.min_m).array() < kShortest_m).any()) {
         extent->fault("\"max\" is not above \"min\" in x, y and z by at least 1 mm",
                       "give the lowest and the highest corner");
         box.min_m.setConstant(NAN);

@@ -84,10 +84,10 @@ void RoomReader::read_view_points(const JsonObject& view, std::optional<View>& i
   into = View{.eye_m = vector3(view.numbers("eye_m", 3, kCoordinate_m)),
               .look_at_m = vector3(view.numbers("look_at_m", 3, kCoordinate_m))};
   const auto& [eye_m, look_at_m] = *into;
-  if ((look_at_m - eye_m).norm() < kLength_m.least) {
+  if ((look_at_m - eye_m).norm() < kShortest_m) {
     view.fault("the eye looks at itself", "move look_at_m away from eye_m");
   }
-  if (plan_sound_ && eye_m.allFinite() && clearance_m(eye_m) < kLength_m.least) {
+  if (plan_sound_ && eye_m.allFinite() && clearance_m(eye_m) < kShortest_m) {
     view.find("eye_m")->fault("the eye is outside the room, on a surface or in furniture",
                               "move it into the air");
   }

@@ -6,6 +6,7 @@
 
 #include "appearance/spectra/text/json_reader.h"
 #include "scenes/files/curve_reader.h"
+#include "scenes/geometry/fits.h"
 #include "scenes/geometry/plane_polygon.h"
 #include "scenes/room.h"
 
@@ -108,6 +109,8 @@ class RoomReader {
 
 /// Lengths and places that a room can have, metres.
 inline constexpr spectra::Limits kLength_m{.least = 1e-3, .most = 1e4};
+/// 1 mm as the difference of two places, which rounds.
+inline constexpr double kShortest_m = kLength_m.least - kTouch_m;
 inline constexpr spectra::Limits kCoordinate_m{.least = -1e4, .most = 1e4};
 
 /// All of its numbers could be read.

@@ -281,6 +281,18 @@ TEST(RoomJson, FurnitureMayTouch) {
 }
 
 // A square of side 1 turned by 45 degrees reaches 0.707 from its centre; at 0.5 it stood within.
+// 2.001 - 2 is a little less than 0.001.
+TEST(RoomJson, AMillimetreIsLongEnoughWhereSubtractionRounds) {
+  json room = sample_room();
+  room["plan_m"] = {{0, 0}, {5, 0}, {5, 4}, {2.001, 4}, {2.0, 4.0}, {0, 4}};
+  room["wall_names"] = {"south", "east", "north", "sliver", "northwest", "west"};
+  room["furniture"][0]["box_m"] = {{"min", {1, 1, 2}}, {"max", {2, 2, 2.001}}};
+  room["view"]["eye_m"] = {2.5, 0.001, 1.2};
+  EXPECT_NO_THROW((void)read(room));
+  room["plan_m"][3][0] = 2.0009;
+  EXPECT_THROW((void)read(room), spectra::InputError);
+}
+
 TEST(RoomJson, RotatedFootprintMustFit) {
   json file = sample_room();
   file["furniture"][0]["box_m"] = {{"min", {0, 1, 0}}, {"max", {1, 2, 0.75}}};
