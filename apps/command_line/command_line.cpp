@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <memory>
-#include <thread>
+#include <sstream>
 
 #include "appearance/spectra/bilinear.h"
 #include "apps/command_line/option_checks.h"
+#include "apps/system/terminal.h"
 
 namespace apps {
 namespace {
@@ -385,7 +386,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    line.exit = program.exit(error) == 0 ? Exit::done : Exit::usage;
+    std::ostringstream data, talk;
+    line.exit = program.exit(error, data, talk) == 0 ? Exit::done : Exit::usage;
+    tell(talk.str());
+    put(data.str());
     line.job = nullptr;
   }
   return line;

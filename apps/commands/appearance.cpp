@@ -13,6 +13,7 @@
 #include "apps/reports/csv.h"
 #include "apps/run/run_record.h"
 #include "apps/system/output_files.h"
+#include "apps/system/terminal.h"
 
 namespace apps {
 namespace {
@@ -158,7 +159,7 @@ Exit convert_table(const FileCommand& command, const Session& session) {
   write_files(files);
   report_written(files);
   if (session.json) {
-    fmt::print("{}\n", Json{{"rows", table.rows.size()}, {"file", command.out}}.dump(2));
+    put(Json{{"rows", table.rows.size()}, {"file", command.out}}.dump(2) + "\n");
   }
   return Exit::done;
 }

@@ -110,7 +110,7 @@ void run_room(BatchRoom& room, const RankOptions& options, const Session& sessio
   });
   if (!room.outcome.message.empty()) {
     room.status = "failed";
-    fmt::print(stderr, "{}\n", room.outcome.message);
+    tell("{}\n", room.outcome.message);
   }
 }
 
@@ -170,7 +170,7 @@ Exit batch_rooms(const RankCommand& command, const Session& session) {
   require_writable(command.out);
   const fs::path summary = fs::path(command.out) / "summary.csv";
   for (BatchRoom& room : batch) {
-    fmt::print(stderr, "{}\n", room.room.string());
+    tell("{}\n", room.room.string());
     run_room(room, command.options, session);
     if (room.status != "unchanged") write_files({{.path = summary, .text = summary_csv(batch)}});
   }
@@ -180,7 +180,7 @@ Exit batch_rooms(const RankCommand& command, const Session& session) {
   for (const BatchRoom& room : batch) {
     rows.push_back({room.room.string(), room.status, best_paint(room), room.folder.string()});
   }
-  fmt::print("{}", session.json ? summary_list(batch).dump(2) + "\n" : table("<<<<", rows));
+  put(session.json ? summary_list(batch).dump(2) + "\n" : table("<<<<", rows));
   const bool failed = std::any_of(batch.begin(), batch.end(), [](const BatchRoom& room) {
     return room.outcome.exit != Exit::done;
   });

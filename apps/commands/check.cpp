@@ -42,9 +42,9 @@ Exit check_room(const RoomCommand& command, const Session& session) {
     Json data = describe(plan);
     data["available_memory_bytes"] = solver::available_memory_bytes();
     data["room"] = describe(room);
-    fmt::print("{}\n", data.dump(2));
+    put(data.dump(2) + "\n");
   } else {
-    fmt::print("{}", plan_text(room, plan));
+    put(plan_text(room, plan));
   }
   return Exit::done;
 }

@@ -7,6 +7,7 @@
 
 #include "apps/reports/csv.h"
 #include "apps/run/run_record.h"
+#include "apps/system/terminal.h"
 
 namespace apps {
 namespace {
@@ -142,7 +143,7 @@ void write_report(const ClosedFormReport& report, const FileCommand& command,
   write_files(files);
   report_notes(notes);
   report_written(files);
-  if (session.json) fmt::print("{}\n", record.dump(2));
+  if (session.json) put(record.dump(2) + "\n");
 }
 
 }  // namespace apps

@@ -111,7 +111,7 @@ Exit relight_picture(const RelightCommand& command, const Session& session) {
   for (const ExrPart& part : report.parts) {
     if (!part.relit) report_notes({fmt::format("part {} is copied as it is", part.name)});
   }
-  fmt::print(stderr, "wrote {}\n", command.out);
+  tell("wrote {}\n", command.out);
   if (session.json) {
     Json data = to_json(report);
     data["file"] = command.out;
@@ -120,9 +120,9 @@ Exit relight_picture(const RelightCommand& command, const Session& session) {
     for (int row = 0; row < 3; ++row) {
       data["matrix"].push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2)});
     }
-    fmt::print("{}\n", data.dump(2));
+    put(data.dump(2) + "\n");
   } else {
-    fmt::print("{}", to_text(report.statistics));
+    put(to_text(report.statistics));
   }
   return Exit::done;
 }

@@ -3,6 +3,7 @@
 #include "apps/commands/commands.h"
 #include "apps/pictures/bilinear_shader.h"
 #include "apps/run/run_record.h"
+#include "apps/system/terminal.h"
 
 namespace apps {
 
@@ -11,13 +12,13 @@ Exit print_shader(const ShaderCommand& command, const Session& session) {
   if (command.alpha) set = spectra::with_alpha(set, Eigen::Vector3d(command.alpha->data()));
   const BilinearShader shader = bilinear_shader(set);
   if (session.json) {
-    fmt::print("{}\n", Json{{"set", set.name},
-                            {"instructions", shader.instructions},
-                            {"over_classical", shader.instructions - 1},
-                            {"glsl", shader.glsl}}
-                           .dump(2));
+    const Json data{{"set", set.name},
+                    {"instructions", shader.instructions},
+                    {"over_classical", shader.instructions - 1},
+                    {"glsl", shader.glsl}};
+    put(data.dump(2) + "\n");
   } else {
-    fmt::print("{}", shader.glsl);
+    put(shader.glsl);
   }
   return Exit::done;
 }

@@ -50,10 +50,10 @@ std::optional<solver::FineLight> gathered(RoomRun& run, const SolutionColumns& c
   solver::FineLight fine = gather();
   run.clock.stop("fine patches");
   run.record["fine_patches"] = describe(fine, columns);
-  fmt::print(stderr,
-             "note: {} coarse patches were solved; their light was gathered to {} patches with a "
-             "standard error of {:.2g} (RMS)\n",
-             run.transport.plan.patches, fine.mesh.size(), fine.rms_standard_error);
+  tell(
+      "note: {} coarse patches were solved; their light was gathered to {} patches with a "
+      "standard error of {:.2g} (RMS)\n",
+      run.transport.plan.patches, fine.mesh.size(), fine.rms_standard_error);
   return fine;
 }
 
@@ -101,21 +101,21 @@ RunResult report(RoomRun& run, const SolutionColumns& columns, const solver::Roo
 void warn(const solver::ColourSolution& solution) {
   const auto& [irradiance, radiosity, lowest] = solution.negative;
   if (irradiance + radiosity > 0) {
-    fmt::print(stderr,
-               "note: negative components in the irradiance of {} patches and the radiosity of {}, "
-               "down to {:.3g} of the brightest; they are kept\n",
-               irradiance, radiosity, lowest);
+    tell(
+        "note: negative components in the irradiance of {} patches and the radiosity of {}, "
+        "down to {:.3g} of the brightest; they are kept\n",
+        irradiance, radiosity, lowest);
   }
   const solver::RadiositySolution& light = solution.light.radiosity;
   const double growth =
       std::ranges::max(light.bands, {}, &solver::BandReport::contraction).contraction;
   if (growth >= 1) {
-    fmt::print(stderr,
-               "light grows by {:.4g} from bounce to bounce in these three numbers: no answer; the "
-               "outputs hold the first bounce\n",
-               growth);
+    tell(
+        "light grows by {:.4g} from bounce to bounce in these three numbers: no answer; the "
+        "outputs hold the first bounce\n",
+        growth);
   } else if (!light.proven) {
-    fmt::print(stderr, "note: error bounds are estimated from 60 bounces, not proven\n");
+    tell("note: error bounds are estimated from 60 bounces, not proven\n");
   }
 }
 
@@ -166,9 +166,9 @@ bool solve_to_tolerance(RoomRun& run, const SolveOptions& options, const std::fi
   run.record["transport"] = describe(run.transport);
   run.record["tolerance"] = tolerance_record(chosen, options.tolerance);
   const auto& [patch_m, patches, error] = chosen.steps.back();
-  fmt::print(stderr, "{} {:g}: patches of {:.3g} m, {} of them, error {:.2g}\n",
-             chosen.reached ? "tolerance" : "not reached: tolerance", options.tolerance, patch_m,
-             patches, error.sum());
+  tell("{} {:g}: patches of {:.3g} m, {} of them, error {:.2g}\n",
+       chosen.reached ? "tolerance" : "not reached: tolerance", options.tolerance, patch_m, patches,
+       error.sum());
   solution = std::move(chosen.solution);
   return chosen.reached;
 }
@@ -182,7 +182,7 @@ bool solve_on_mesh(RoomRun& run, const SolveOptions& options, const std::filesys
   run.clock.stop("solve");
   if (!solver::study_mesh(run.room, transport_options(run, options.room, out), radiosity,
                           run.transport.plan.patch_m, options.richardson, solution)) {
-    fmt::print(stderr, "note: no error of the mesh, longer patches cut this room no other way\n");
+    tell("note: no error of the mesh, longer patches cut this room no other way\n");
   }
   run.clock.stop("mesh error");
   return solution.radiosity.converged;

@@ -64,12 +64,12 @@ Exit verify_engine(const VerifyCommand& command, const Session& session) {
     for (const solver::Check& check : checks) all.push_back(to_json(check));
     Json data = summary;
     data["checks"] = all;
-    fmt::print("{}\n", data.dump(2));
+    put(data.dump(2) + "\n");
   } else {
-    fmt::print("{}", verify_table(checks));
+    put(verify_table(checks));
   }
   std::fflush(stdout);
-  fmt::print(stderr, "{} of {} cases passed, {:.1f} s\n", passed, checks.size(), seconds.count());
+  tell("{} of {} cases passed, {:.1f} s\n", passed, checks.size(), seconds.count());
   if (!command.out.empty()) write(command.out, verify_csv(checks), summary, session);
   return verdict(checks);
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "apps/system/terminal.h"
 #include "scenes/files/room_json.h"
 
 namespace apps {
@@ -54,8 +55,8 @@ void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::pa
   for (std::size_t r = 0; r < run.room.receivers.size(); ++r) {
     const double defect = run.transport.receivers[r].gather.closure_defect;
     if (defect < 1e-3) continue;
-    fmt::print(stderr, "note: {}: what it sees of all patches misses 1 by {:.2g} and is scaled\n",
-               run.room.receivers[r].name, defect);
+    tell("note: {}: what it sees of all patches misses 1 by {:.2g} and is scaled\n",
+         run.room.receivers[r].name, defect);
   }
   run.clock.stop("transport");
   run.record["transport"] = describe(run.transport);
@@ -105,7 +106,7 @@ RunResult finish(RoomRun& run, bool converged, std::vector<OutputFile> files,
   write_files(files);
   report_written(files);
   if (!converged) {
-    fmt::print(stderr, "not converged: the outputs are marked in run.json; see its error bounds\n");
+    tell("not converged: the outputs are marked in run.json; see its error bounds\n");
   }
   return {.exit = converged ? Exit::done : Exit::not_converged,
           .record = record,
@@ -114,7 +115,7 @@ RunResult finish(RoomRun& run, bool converged, std::vector<OutputFile> files,
 }
 
 Exit print_result(const RunResult& result, const Session& session) {
-  fmt::print("{}", session.json ? result.data.dump(2) + "\n" : result.text);
+  put(session.json ? result.data.dump(2) + "\n" : result.text);
   return result.exit;
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "apps/system/sha256.h"
+#include "apps/system/terminal.h"
 
 namespace apps {
 namespace {
@@ -213,11 +214,11 @@ OutputFile run_json(const fs::path& folder, const Json& record) {
 }
 
 void report_notes(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : notes) tell("note: {}\n", note);
 }
 
 void report_written(const std::vector<OutputFile>& files) {
-  for (const OutputFile& file : files) fmt::print(stderr, "wrote {}\n", file.path.string());
+  for (const OutputFile& file : files) tell("wrote {}\n", file.path.string());
 }
 
 }  // namespace apps

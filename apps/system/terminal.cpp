@@ -1,6 +1,6 @@
 #include "apps/system/terminal.h"
 
-#include <fmt/format.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,7 +8,29 @@
 #include <cstdlib>
 #include <utility>
 
+#include "appearance/spectra/text/input_error.h"
+
 namespace apps {
+
+void put(std::string_view data) {
+  const bool written = std::fwrite(data.data(), 1, data.size(), stdout) == data.size();
+  if (!written || std::fflush(stdout) != 0) {
+    throw spectra::FileError("standard output cannot be written");
+  }
+}
+
+void tell(std::string_view text) noexcept {
+  // What cannot be told cannot be complained of either.
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void occupy_standard_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+    // The lowest free descriptor is this one. Reading from one end, writing to none, both fail.
+    (void)::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
 
 std::string bold(const std::string& text) {
   const char* no_color = std::getenv("NO_COLOR");
@@ -38,12 +60,12 @@ Progress::Progress(std::string what, int total)
     : what_(std::move(what)), total_(total), shown_(::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (shown_ && done_ > 0) fmt::print(stderr, "\r\x1b[K");
+  if (shown_ && done_ > 0) tell("\r\x1b[K");
 }
 
 void Progress::step() {
   ++done_;
-  if (shown_) fmt::print(stderr, "\r{} {}/{}\x1b[K", what_, done_, total_);
+  if (shown_) tell("\r{} {}/{}\x1b[K", what_, done_, total_);
 }
 
 }  // namespace apps
