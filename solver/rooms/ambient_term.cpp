@@ -71,24 +71,6 @@ void add_lamps(const scenes::Room& room, const std::vector<Facet>& facets, Ambie
   }
 }
 
-/// Every source that is no patch, alone; nothing hides it.
-std::vector<DirectSources> each_source(const scenes::Room& room) {
-  const Visibility nothing_hides;
-  scenes::Room one = room;
-  std::vector<DirectSources> sources;
-  one.suns.clear();
-  for (const scenes::PointLight& light : room.point_lights) {
-    one.point_lights = {light};
-    sources.emplace_back(one, nothing_hides);
-  }
-  one.point_lights.clear();
-  for (const scenes::Sun& sun : room.suns) {
-    one.suns = {sun};
-    sources.emplace_back(one, nothing_hides);
-  }
-  return sources;
-}
-
 /// Interreflection between the sides, which the direct light sets off.
 Bands sides_irradiance(const scenes::Room& room, const AmbientTerm& term) {
   const Index bands = term.direct.cols();
@@ -121,24 +103,21 @@ Bands AmbientTerm::irradiance() const {
 }
 
 AmbientTerm solve_ambient_term(const scenes::Room& room) {
-  AmbientTerm term{.faces = whole_mesh(room)};
+  const DirectSources sources(room, Visibility());  // nothing hides
+  AmbientTerm term{.faces = whole_mesh(room), .sources = sources};
   const std::vector<Facet> facets = facets_of(term.faces);
   term.direct = Bands::Zero(term.faces.size(), room.grid.count);
   term.lamp_scaling = ArrayXd::Zero(term.faces.size());
   add_lamps(room, facets, term);
-  // Without occlusion too much of their light arrives, so their scaling is below 1.
-  for (const DirectSources& source : each_source(room)) {
-    const DirectLight light = source.on_patches(term.faces, facets);
-    term.direct += light.irradiance;
-    term.source_scaling.push_back(1 - light.largest_scaling);
-  }
+  const DirectLight light = sources.on_patches(term.faces, facets);
+  term.direct += light.irradiance;
+  term.sources = sources.scaled(light.scaling);
   term.indirect = sides_irradiance(room, term);
   return term;
 }
 
 Bands extended_ambient_term(const scenes::Room& room, const std::vector<scenes::Receiver>& at) {
   const AmbientTerm term = solve_ambient_term(room);
-  const std::vector<DirectSources> sources = each_source(room);
   Bands irradiance(static_cast<Index>(at.size()), room.grid.count);
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Vector3d &point = at[k].at_m, normal = at[k].normal.normalized();
@@ -151,9 +130,7 @@ Bands extended_ambient_term(const scenes::Room& room, const std::vector<scenes::
       h += scaling * point_to_polygon(point, normal, term.faces.polygon[f]) *
            surface_of(room, term.faces, f).exitance.values;
     }
-    for (std::size_t s = 0; s < sources.size(); ++s) {
-      h += term.source_scaling[s] * sources[s].at_point(point, normal);
-    }
+    h += term.sources.at_point(point, normal);
     irradiance.row(static_cast<Index>(k)) = h.transpose();
   }
   return irradiance;

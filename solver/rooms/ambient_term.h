@@ -4,6 +4,7 @@
 #include "scenes/mesh/patch_mesh.h"
 #include "scenes/room.h"
 #include "solver/bounce/radiosity.h"
+#include "solver/sources/direct_light.h"
 
 namespace solver {
 
@@ -25,11 +26,11 @@ namespace solver {
 /// The papers leave open how quasi-shadows are made and whether direct light has them: the scaling
 /// is this project's reading.
 struct AmbientTerm {
-  scenes::PatchMesh faces;             ///< whole, in convex parts
-  Bands direct;                        ///< D, face x band, area means
-  Bands indirect;                      ///< side x band: +x, -x, +y, -y, +z, -z by inward normal
-  Eigen::ArrayXd lamp_scaling;         ///< per face, 0 where it does not shine
-  std::vector<double> source_scaling;  ///< per Room::point_lights, then Room::suns
+  scenes::PatchMesh faces;      ///< whole, in convex parts
+  Bands direct;                 ///< D, face x band, area means
+  Bands indirect;               ///< side x band: +x, -x, +y, -y, +z, -z by inward normal
+  Eigen::ArrayXd lamp_scaling;  ///< per face, 0 where it does not shine
+  DirectSources sources;        ///< point lights and suns, each opening's beam scaled by itself
 
   /// Area mean of H on each face.
   [[nodiscard]] Bands irradiance() const;

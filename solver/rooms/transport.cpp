@@ -102,7 +102,7 @@ Lighting lighting_of(const scenes::Room& lit, const DirectSources& sources,
   DirectLight direct = sources.on_patches(mesh, facets);
   return {.emission = emission_of(lit, mesh),
           .direct = std::move(direct.irradiance),
-          .direct_scaling = direct.largest_scaling};
+          .direct_scaling = direct.largest_scaling()};
 }
 
 std::vector<ViewedPoint> default_views(const scenes::Room& room) {

@@ -65,9 +65,8 @@ double lit_area_m2(const Facet& facet, const SunBeam& beam) {
 void spread(ArrayXd share, double whole, const ArrayXd& per_band, const std::vector<Facet>& facets,
             DirectLight& light) {
   const double sum = share.sum();
-  if (!(sum > 0)) return;
-  light.largest_scaling = std::max(light.largest_scaling, std::abs(whole / sum - 1));
-  share *= whole / sum;
+  light.scaling.push_back(sum > 0 ? whole / sum : 1);
+  share *= light.scaling.back();
   for (std::size_t i = 0; i < facets.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     light.irradiance.row(row) += share[row] / facets[i].area_m2 * per_band.transpose();
@@ -99,6 +98,20 @@ DirectSources::DirectSources(const scenes::Room& room, const Visibility& visibil
                       .intensity = lamp.spectral_flux.values / (4 * pi),
                       .shadows = {visibility.blockers(), from_point(lamp.at_m)}});
   }
+}
+
+double DirectLight::largest_scaling() const {
+  double largest = 0;
+  for (const double scale : scaling) largest = std::max(largest, std::abs(scale - 1));
+  return largest;
+}
+
+DirectSources DirectSources::scaled(const std::vector<double>& by) const {
+  DirectSources sources = *this;
+  std::size_t k = 0;
+  for (PointSource& lamp : sources.lamps_) lamp.intensity *= by.at(k++);
+  for (SunBeam& beam : sources.beams_) beam.normal_irradiance *= by.at(k++);
+  return sources;
 }
 
 DirectLight DirectSources::on_patches(const scenes::PatchMesh& mesh,

@@ -17,7 +17,10 @@ namespace solver {
 /// closed room.
 struct DirectLight {
   Bands irradiance;
-  double largest_scaling = 0;  ///< max |scale - 1| over the sources
+  std::vector<double> scaling;  ///< of each point light, then of each sun through each opening
+
+  /// max |scale - 1|
+  [[nodiscard]] double largest_scaling() const;
 };
 
 struct PointSource {
@@ -40,6 +43,9 @@ struct SunBeam {
 class DirectSources {
  public:
   DirectSources(const scenes::Room& room, const Visibility& visibility);
+
+  /// Every source times a number, in the order of DirectLight::scaling.
+  [[nodiscard]] DirectSources scaled(const std::vector<double>& by) const;
 
   [[nodiscard]] DirectLight on_patches(const scenes::PatchMesh& mesh,
                                        const std::vector<Facet>& facets) const;

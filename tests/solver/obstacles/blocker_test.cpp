@@ -227,7 +227,7 @@ TEST(DirectLight, SunIsHiddenOnlyByWhatStandsBehindTheWindow) {
   const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.3);
   const DirectLight light =
       DirectSources(room, Visibility(room, mesh)).on_patches(mesh, facets_of(mesh));
-  EXPECT_LT(light.largest_scaling, 1e-9);
+  EXPECT_LT(light.largest_scaling(), 1e-9);
   double on_desk = 0;
   for (std::size_t p = 0; p < mesh.area_m2.size(); ++p) {
     const bool desk = room.surfaces[static_cast<std::size_t>(mesh.surface[p])].name == "desk";
@@ -245,7 +245,7 @@ TEST(DirectLight, AllFluxOfAPointLightArrives) {
   const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.3);
   const DirectLight light =
       DirectSources(room, Visibility(room, mesh)).on_patches(mesh, facets_of(mesh));
-  EXPECT_LT(light.largest_scaling, 1e-9);
+  EXPECT_LT(light.largest_scaling(), 1e-9);
 }
 
 }  // namespace

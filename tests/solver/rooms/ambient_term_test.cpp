@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "scenes/files/room_json.h"
 #include "solver/rooms/room_light.h"
+#include "tests/scenes/test_rooms.h"
 
 namespace solver {
 namespace {
@@ -66,6 +70,24 @@ TEST(AmbientTerm, UniformlyShiningBoxIsExact) {
   }
   const Bands h = extended_ambient_term(room, room.receivers);
   EXPECT_LT((h / (2 / (1 - 0.6)) - 1).abs().maxCoeff(), 1e-9);
+}
+
+// A black room with a shelf behind one of two windows: what the sun brings through the other falls
+// on one face only, so it needs no quasi-shadow and is exact.
+TEST(AmbientTerm, EachBeamOfASunIsScaledByItself) {
+  scenes::RoomBuilder builder = scenes::rectangular_room(6, 6, 3);
+  builder.opening(0, {0.5, 1}, {1, 1}).opening(0, {4.5, 1}, {1, 1});
+  builder.box({4.4, 0.5, 0.3}, {5.6, 5.5, 0.5});
+  scenes::Room room = builder.room();
+  for (scenes::Surface& s : room.surfaces) s.reflectance.values.setZero();
+  room.suns.push_back({.name = "sun",
+                       .azimuth_deg = 180,
+                       .altitude_deg = 30,
+                       .normal_irradiance = spectra::constant(room.grid, 1)});
+  const Bands h = extended_ambient_term(
+      room, {{"lit", {1, 2.6, 0}, {0, 0, 1}}, {"shadowed", {5, 3, 0}, {0, 0, 1}}});
+  EXPECT_NEAR(h(0, 0), std::sin(std::numbers::pi / 6), 1e-9);
+  EXPECT_LT(h(1, 0), 0.9 * h(0, 0));
 }
 
 // The cheap answer in rooms with furniture: tens of percent at worst, and nothing like the truth

@@ -38,7 +38,7 @@ std::vector<double> flux_by_surface(const scenes::Room& room, double patch_m) {
   const DirectLight light = DirectSources(room, visibility).on_patches(mesh, facets_of(mesh));
   EXPECT_TRUE(light.irradiance.isFinite().all());
   EXPECT_GE(light.irradiance.minCoeff(), 0);
-  EXPECT_LT(light.largest_scaling, 1e-7);  // of boxes that touch, one turned by 1e-3 degrees
+  EXPECT_LT(light.largest_scaling(), 1e-7);  // of boxes that touch, one turned by 1e-3 degrees
   std::vector<double> flux(room.surfaces.size(), 0);
   for (std::size_t i = 0; i < mesh.polygon.size(); ++i) {
     flux[static_cast<std::size_t>(mesh.surface[i])] +=
