@@ -14,8 +14,17 @@ namespace apps {
 namespace {
 
 void add_patch_option(CLI::App& command, RoomOptions& options) {
-  command.add_option("--patch-m", options.patch_m, "longest patch edge in m (default: the room's)")
+  command
+      .add_option(
+          "--patch-m", options.patch_m,
+          "longest patch edge in m with constant light; linear light takes edges twice as long "
+          "(default: the room's)")
       ->check(kPositive);
+  command
+      .add_option("--light", options.light,
+                  "what light is on a patch: linear (default), or constant, with more error at the "
+                  "same cost")
+      ->transform(CLI::CheckedTransformer(light_names()).description("LIGHT"));
 }
 
 void add_error_option(CLI::App& command, RoomOptions& options) {
@@ -49,7 +58,8 @@ void add_mesh_options(CLI::App& command, SolveOptions& options) {
       ->excludes("--relative-error");
   command
       .add_flag("--richardson", options.richardson,
-                "extrapolate receivers and viewed points to patches of no size")
+                "with --light constant: extrapolate receivers and viewed points to patches of "
+                "no size")
       ->excludes("--tolerance");
 }
 
@@ -120,6 +130,11 @@ void add_colour_option(CLI::App& command, SolveCommand& solve) {
     if ((radiosity.ambient || radiosity.overshoot) && method != solver::Method::progressive) {
       throw CLI::ValidationError(radiosity.ambient ? "--ambient" : "--overshoot",
                                  "needs --method progressive");
+    }
+    if (solve.options.richardson && solve.options.room.light != solver::Light::constant) {
+      throw CLI::ValidationError("--richardson",
+                                 "needs --light constant: it counts on an error "
+                                 "that falls as the square of the patch size");
     }
     if (solve.colour &&
         (method == solver::Method::conjugate_gradients || method == solver::Method::progressive ||

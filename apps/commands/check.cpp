@@ -37,7 +37,8 @@ std::string plan_text(const scenes::Room& room, const solver::Plan& plan) {
 Exit check_room(const RoomCommand& command, const Session& session) {
   const scenes::Room room = scenes::read_room(command.room);
   report_notes(room.notes);
-  const solver::Plan plan = solver::make_plan(room, {.patch_m = command.options.patch_m});
+  const solver::Plan plan =
+      solver::make_plan(room, {.patch_m = command.options.patch_m, .light = command.options.light});
   if (session.json) {
     Json data = describe(plan);
     data["available_memory_bytes"] = solver::available_memory_bytes();

@@ -17,6 +17,12 @@ Json to_json(const std::optional<double>& value) { return value ? Json(*value) :
 
 }  // namespace
 
+const std::map<std::string, solver::Light>& light_names() {
+  static const std::map<std::string, solver::Light> names{{"linear", solver::Light::linear},
+                                                          {"constant", solver::Light::constant}};
+  return names;
+}
+
 const std::map<std::string, solver::Method>& method_names() {
   static const std::map<std::string, solver::Method> names{
       {"auto", solver::Method::automatic},          {"cg", solver::Method::conjugate_gradients},
@@ -37,6 +43,7 @@ const std::map<std::string, paints::Distance>& distance_names() {
 
 Json to_json(const RoomOptions& options) {
   return {{"patch_m", options.patch_m > 0 ? Json(options.patch_m) : Json()},
+          {"light", name_in(light_names(), options.light)},
           {"method", name_in(method_names(), options.radiosity.method)},
           {"relative_error", options.radiosity.relative_error},
           {"skip", options.radiosity.skip}};

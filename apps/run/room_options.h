@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 /// How a room is solved.
 struct RoomOptions {
   double patch_m = 0;  ///< 0: the room's own
+  solver::Light light = solver::Light::linear;
   solver::RadiosityOptions radiosity;
 };
 
@@ -27,6 +28,7 @@ struct SolveOptions {
 /// How error is measured against run time.
 struct ConvergenceOptions {
   double patch_m = 0;    ///< of the baseline; 0: the room's own
+  solver::Light light = solver::Light::linear;
   double seconds = 120;  ///< after which nothing more is started; the reference may take half of
                          ///< them, by its plan
 };
@@ -52,6 +54,7 @@ struct MixOptions {
 };
 
 /// Names on the command line and in run.json.
+[[nodiscard]] const std::map<std::string, solver::Light>& light_names();
 [[nodiscard]] const std::map<std::string, solver::Method>& method_names();
 [[nodiscard]] const std::map<std::string, paints::Distance>& distance_names();
 

@@ -43,6 +43,7 @@ solver::TransportOptions transport_options(const RoomRun& run, const RoomOptions
     views.push_back(viewed_point(run, g));  // if nothing can be looked at, say so before long work
   }
   return {.patch_m = options.patch_m,
+          .light = options.light,
           .views = std::move(views),
           .skip = options.radiosity.skip,
           .eye = eye};

@@ -125,6 +125,9 @@ Json describe(const solver::RoomTransport& transport) {
           {"reciprocity_defect", transport.reciprocity_defect},
           {"largest_scaling", transport.largest_scaling},
           {"largest_self_view", transport.exchange.largest_self_view},
+          {"light", transport.exchange.modes > 1 ? "linear" : "constant"},
+          {"largest_slope_defect", transport.exchange.largest_slope_defect},
+          {"patches_without_slopes", transport.exchange.without_slopes},
           {"direct_light_scaling", transport.lightings.front().direct_scaling},
           {"point_closure_defect", point_defect}};
 }

@@ -49,10 +49,11 @@ MethodColours solve_groups(const ComparedRoom& compared, int groups) {
   for (const scenes::Surface& surface : room.surfaces) {
     rho.emplace_back(mean.transpose() * surface.reflectance.values.matrix());
   }
-  solver::Bands reflectance(transport.mesh.size(), groups);
-  for (int p = 0; p < transport.mesh.size(); ++p) {
+  solver::Bands reflectance(transport.exchange.rows(), groups);
+  for (int p = 0; p < transport.exchange.rows(); ++p) {
     reflectance.row(p) =
-        rho[static_cast<std::size_t>(transport.mesh.surface[static_cast<std::size_t>(p)])];
+        rho[static_cast<std::size_t>(
+            transport.mesh.surface[static_cast<std::size_t>(p % transport.mesh.size())])];
   }
   const solver::Lighting& light = transport.lightings.front();
   const solver::RadiositySolution solution = solver::solve_radiosity(
@@ -88,8 +89,9 @@ MethodColours solve_model(const ComparedRoom& compared, const solver::ColourMode
 /// All the light that enters the room.
 ArrayXd lamp_light(const solver::RoomTransport& transport) {
   const solver::Lighting& light = transport.lightings.front();
-  return ((light.emission + light.direct).matrix().transpose() *
-          transport.exchange.area_m2.matrix())
+  const int patches = transport.mesh.size();
+  return ((light.emission + light.direct).topRows(patches).matrix().transpose() *
+          transport.exchange.area_m2.head(patches).matrix())
       .array();
 }
 

@@ -64,6 +64,7 @@ class Experiment {
   void add_transport(ConvergenceRun run, const solver::TransportOptions& options,
                      const RoomAnswer* own_judge);
   void add_patch_sizes();
+  void add_other_light();
   void add_rays();
   void add_bands();
   void add_band_groups(int groups, const RoomAnswer& judge, const std::string& judged_by);
@@ -97,7 +98,7 @@ ConvergenceRun Experiment::baseline_run(const std::string& factor,
 }
 
 solver::TransportOptions Experiment::transport_options() const {
-  return {.patch_m = baseline_m_, .views = views_};
+  return {.patch_m = baseline_m_, .light = options_.light, .views = views_};
 }
 
 RoomAnswer Experiment::answer(const scenes::Room& room, const RoomTransport& transport,
@@ -128,7 +129,7 @@ void Experiment::make_baseline() {
 bool Experiment::affordable_reference(double factor) const {
   const double patches = run_.transport.mesh.size() / (factor * factor);
   if (patches > kMostReferencePatches) return false;
-  const solver::Plan plan = solver::make_plan(run_.room, {.patch_m = factor * baseline_m_});
+  const solver::Plan plan = solver::make_plan(run_.room, {.patch_m = factor * baseline_m_, .light = options_.light});
   const double rounds = wish_.task ? 2 : 1;  // a ranking costs about as much again
   return plan.fine.patch_m == 0 && plan.memory_bytes < solver::available_memory_bytes() / 2 &&
          rounds * plan.expected_seconds < options_.seconds / 2;
@@ -166,9 +167,9 @@ void Experiment::make_reference() {
 }
 
 void Experiment::add_tolerances(const SolverMethod& method) {
-  if (run_.transport.mesh.size() > method.most_patches) {
-    log_.leave_out(method.name, fmt::format("{} patches; it takes too long beyond {}",
-                                            run_.transport.mesh.size(), method.most_patches));
+  if (run_.transport.exchange.rows() > method.most_patches) {
+    log_.leave_out(method.name, fmt::format("{} unknowns; it takes too long beyond {}",
+                                            run_.transport.exchange.rows(), method.most_patches));
     return;
   }
   std::vector<double> tolerances(kTolerances.begin(), kTolerances.end());
@@ -243,6 +244,16 @@ void Experiment::add_patch_sizes() {
     add_transport(baseline_run("patch_m", fmt::format("{:.3g}", options.patch_m)), options,
                   nullptr);
   }
+}
+
+/// The same unknowns with the other kind of light.
+void Experiment::add_other_light() {
+  const bool linear = options_.light == solver::Light::linear;
+  const std::string other = linear ? "constant" : "linear";
+  if (!log_.may_start(other + " light", 2 * setup_s_)) return;
+  solver::TransportOptions options = transport_options();
+  options.light = linear ? solver::Light::constant : solver::Light::linear;
+  add_transport(baseline_run("light", other), options, nullptr);
 }
 
 void Experiment::add_rays() {
@@ -339,10 +350,12 @@ void Experiment::sweep() {
   if (!log_.may_start("the sweep of reflectances")) return;
   solver::TransportOptions options = transport_options();
   RoomTransport coarse = run_.transport;
-  while (coarse.mesh.size() > kCoarsePatches) {
+  while (coarse.exchange.rows() > kCoarsePatches) {
     options.patch_m *= std::sqrt(2);
-    const scenes::PatchMesh mesh = scenes::mesh_room(run_.room, options.patch_m);
-    if (mesh.size() > kCoarsePatches && options.patch_m < 8 * baseline_m_) continue;
+    const scenes::PatchMesh mesh = scenes::mesh_room(
+        run_.room, solver::longest_edge_m(options.patch_m, options.light));
+    const int unknowns = solver::modes_of(options.light) * mesh.size();
+    if (unknowns > kCoarsePatches && options.patch_m < 8 * baseline_m_) continue;
     coarse = solver::prepare_transport(run_.room, options);
     break;
   }
@@ -375,8 +388,9 @@ Convergence Experiment::measure() {
   const std::vector<SolverMethod>& methods = solver_methods();
   std::vector<std::function<void()>> steps{
       [&] { add_ambient_term(); }, [&] { add_tolerances(methods.front()); },
-      [&] { add_patch_sizes(); },  [&] { add_rays(); },
-      [&] { add_bands(); },        [&] { sweep(); }};
+      [&] { add_other_light(); },  [&] { add_patch_sizes(); },
+      [&] { add_rays(); },         [&] { add_bands(); },
+      [&] { sweep(); }};
   for (std::size_t m = 1; m < methods.size(); ++m) {
     steps.emplace_back([&, m] { add_tolerances(methods[m]); });
   }

@@ -26,7 +26,8 @@ RoomAnswer patches_of(const solver::RoomSolution& solution) {
 double mean_error(const solver::RoomSolution& solution, const Eigen::ArrayXd& area_m2,
                   double one_minus_rho) {
   const double flux = solution.energy.emitted[0];
-  const double received = (area_m2 * solution.radiosity.irradiance.col(0)).sum();
+  const double received =
+      (area_m2 * solution.radiosity.irradiance.col(0).head(area_m2.size())).sum();
   return std::abs(received * one_minus_rho / flux - 1);
 }
 
@@ -39,7 +40,8 @@ ConvergenceRun run_of(const SolverMethod& method, const PreparedRoom& grey, doub
       },
       1);
   const solver::BandReport& band = solved.value.radiosity.bands.front();
-  const double off = mean_error(solved.value, grey.transport.exchange.area_m2, one_minus_rho);
+  const double off = mean_error(
+      solved.value, grey.transport.exchange.area_m2.head(grey.transport.mesh.size()), one_minus_rho);
   return {.factor = "reflectance",
           .method = method.name,
           .setting = fmt::format("{:g}", 1 - one_minus_rho),

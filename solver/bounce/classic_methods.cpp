@@ -12,9 +12,9 @@ using Eigen::MatrixXd;
 
 /// The form factors as one dense matrix, for methods that walk along rows and columns.
 MatrixXd dense_form_factors(const ExchangeAreas& exchange) {
-  MatrixXd f(exchange.patches(), exchange.patches());
-  for (int j = 0; j < exchange.patches(); ++j) {
-    for (int i = 0; i < exchange.patches(); ++i) f(i, j) = exchange.form_factor(i, j);
+  MatrixXd f(exchange.rows(), exchange.rows());
+  for (int j = 0; j < exchange.rows(); ++j) {
+    for (int i = 0; i < exchange.rows(); ++i) f(i, j) = exchange.form_factor(i, j);
   }
   return f;
 }
@@ -26,28 +26,30 @@ class Shooting {
  public:
   explicit Shooting(const RadiositySystem& system)
       : reflectance_(system.reflector.numbers()),
-        share_((system.exchange.area_m2 / system.exchange.area_m2.sum()).matrix()),
+        weight_(system.exchange.area_m2 / system.exchange.area_m2.sum()),
+        share_(shares(system.exchange)),
         fading_(1 - (share_.transpose() * reflectance_.matrix()).array()),
         radiosity_(system.emission + reflectance_ * system.direct),
         unshot_(radiosity_) {}
 
-  /// The patch with most power left, summed over bands; with `overshoot`, with most of what it
-  /// should have shot in the end.
+  /// The row with most power left, of either sign, summed over bands; with `overshoot`, with most
+  /// of what it should have shot in the end.
   [[nodiscard]] Index brightest(bool overshoot) const {
     Index j = 0;
     if (overshoot) {
-      const Bands expected = unshot_ + reflectance_.rowwise() * ambient();
-      (expected.abs().rowwise().sum() * share_.array()).maxCoeff(&j);
+      const Bands expected = unshot_ + later();
+      (expected.abs().rowwise().sum() * weight_).maxCoeff(&j);
     } else {
-      (unshot_.rowwise().sum() * share_.array()).maxCoeff(&j);
+      (unshot_.abs().rowwise().sum() * weight_).maxCoeff(&j);
     }
     return j;
   }
 
   /// What is shot ahead of its arrival is owed: the patch is left with less than nothing.
   void shoot(Index j, const MatrixXd& form_factors, bool overshoot) {
-    const BandRow ahead =
-        overshoot ? BandRow(reflectance_.row(j) * ambient()) : BandRow::Zero(unshot_.cols());
+    const bool mean = share_[j] > 0;
+    const BandRow ahead = overshoot && mean ? BandRow(reflectance_.row(j) * ambient())
+                                            : BandRow::Zero(unshot_.cols());
     const Eigen::RowVectorXd shot = unshot_.row(j) + ahead;
     unshot_.row(j) = -ahead;
     const Bands arriving = (form_factors.col(j) * shot).array() * reflectance_;
@@ -56,17 +58,34 @@ class Shooting {
   }
 
   [[nodiscard]] Bands answer(bool with_ambient) const {
-    if (!with_ambient) return radiosity_;
-    return radiosity_ + reflectance_.rowwise() * ambient();
+    return with_ambient ? radiosity_ + later() : radiosity_;
   }
 
  private:
+  /// Of each patch in the area; 0 for slopes.
+  static Eigen::VectorXd shares(const ExchangeAreas& exchange) {
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(exchange.rows());
+    share.head(exchange.patches()) =
+        (exchange.area_m2.head(exchange.patches()) / exchange.total_area_m2()).matrix();
+    return share;
+  }
+
+  /// What patches will reflect of all unshot light; it changes no slope.
+  [[nodiscard]] Bands later() const {
+    Bands later = reflectance_.rowwise() * ambient();
+    for (Index i = 0; i < later.rows(); ++i) {
+      if (share_[i] == 0) later.row(i) = 0;
+    }
+    return later;
+  }
+
   [[nodiscard]] BandRow ambient() const {
     return (share_.transpose() * unshot_.matrix()).array() / fading_;
   }
 
   const Bands& reflectance_;
-  Eigen::VectorXd share_;     ///< of each patch in the area
+  ArrayXd weight_;  ///< of each row in the area of all
+  Eigen::VectorXd share_;
   BandRow fading_;            ///< 1 - mean rho
   Bands radiosity_, unshot_;  ///< the first includes the second
 };
@@ -94,7 +113,7 @@ MethodResult gauss_seidel(const RadiositySystem& system, const RadiosityOptions&
   Certificate proof = certify(system, b, options.relative_error);
   int sweeps = 0;
   for (; sweeps < options.max_iterations && !proof.converged(); ++sweeps) {
-    for (Index i = 0; i < system.patches(); ++i) {
+    for (Index i = 0; i < system.rows(); ++i) {
       const Eigen::RowVectorXd gathered = f.col(i).transpose() * b.matrix();
       const BandRow arriving = gathered.array() + system.direct.row(i);
       b.row(i) = system.emission.row(i) + system.reflector.reflect(i, arriving);
@@ -112,7 +131,7 @@ MethodResult progressive(const RadiositySystem& system, const RadiosityOptions& 
   Certificate proof = certify(system, shooting.answer(options.ambient), options.relative_error);
   int sweeps = 0;
   for (; sweeps < options.max_iterations && !proof.converged(); ++sweeps) {
-    for (Index shot = 0; shot < system.patches(); ++shot) {
+    for (Index shot = 0; shot < system.rows(); ++shot) {
       shooting.shoot(shooting.brightest(options.overshoot), f, options.overshoot);
     }
     proof = certify(system, shooting.answer(options.ambient), options.relative_error);
@@ -122,7 +141,7 @@ MethodResult progressive(const RadiositySystem& system, const RadiosityOptions& 
 
 /// Cholesky of the symmetric form, band by band.
 MethodResult direct(const RadiositySystem& system, const RadiosityOptions& options) {
-  const Index n = system.patches();
+  const Index n = system.rows();
   const ArrayXd root_area = system.exchange.area_m2.sqrt();
   const MatrixXd g = root_area.matrix().asDiagonal() * dense_form_factors(system.exchange) *
                      root_area.inverse().matrix().asDiagonal();

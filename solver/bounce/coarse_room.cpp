@@ -13,11 +13,11 @@ using Eigen::MatrixXd;
 /// Where a bounce leaves less of the light, plain iterations are as fast in total.
 constexpr double kLongLived = 0.95;
 
-/// Sums of the patches' rows over each cluster.
+/// Sums of the patches' means over each cluster.
 Bands summed(const std::vector<int>& cluster, Index clusters, const Bands& rows) {
   Bands sum = Bands::Zero(clusters, rows.cols());
-  for (Index i = 0; i < rows.rows(); ++i) {
-    sum.row(cluster[static_cast<std::size_t>(i)]) += rows.row(i);
+  for (std::size_t i = 0; i < cluster.size(); ++i) {
+    sum.row(cluster[i]) += rows.row(static_cast<Index>(i));
   }
   return sum;
 }
@@ -32,7 +32,7 @@ CoarseRoom::CoarseRoom(const RadiositySystem& system) : exchange_(system.exchang
       summed(cluster(), clusters(), reflectance.colwise() * exchange_.area_m2);
   q_ = reflecting_m2.sqrt().colwise() / area_m2_;
   const Bands scale = (reflecting_m2 > 0).select(reflecting_m2.rsqrt(), 0.0);
-  weights_ = (reflectance.colwise() * exchange_.area_m2).sqrt();
+  weights_ = (reflectance.colwise() * exchange_.area_m2).sqrt().topRows(exchange_.patches());
   for (Index i = 0; i < weights_.rows(); ++i) {
     weights_.row(i) *= scale.row(cluster()[static_cast<std::size_t>(i)]);
   }
@@ -58,7 +58,9 @@ Bands CoarseRoom::irradiance(const Bands& sent) const {
     const Eigen::VectorXd u = inverse(k) * (q * arriving.col(k).array()).matrix();
     w.col(k) = (q > 0).select(u.array() / (q * area_m2_), 0.0);
   }
-  return w(cluster(), Eigen::all);
+  Bands all = Bands::Zero(sent.rows(), sent.cols());
+  all.topRows(exchange_.patches()) = w(cluster(), Eigen::all);
+  return all;
 }
 
 }  // namespace solver

@@ -24,7 +24,7 @@ class CoarseRoom {
 
   [[nodiscard]] Eigen::Index clusters() const { return exchange_.cluster_exchange_m2.rows(); }
 
-  /// P: of each patch in its own cluster, per band.
+  /// P: of each patch's mean in its own cluster, per band.
   [[nodiscard]] const Bands& weights() const { return weights_; }
 
   /// M_c^-1 of a band.
@@ -33,7 +33,7 @@ class CoarseRoom {
   }
 
   /// All later bounces of radiosities that the patches have just sent: irradiance, constant in a
-  /// cluster.
+  /// cluster; row x band.
   [[nodiscard]] Bands irradiance(const Bands& sent) const;
 
  private:

@@ -193,7 +193,7 @@ class LockstepSolve {
 /// sqrt(rho A) F change, and B' + sqrt(rho / A) e is better than B'.
 Bands correction(const RadiositySystem& system, const CoarseRoom& coarse, const Certificate& proof,
                  int most, Eigen::ArrayXi& iterations) {
-  Bands result = Bands::Zero(system.patches(), system.bands());
+  Bands result = Bands::Zero(system.rows(), system.bands());
   std::vector<Index> open;
   for (Index k = 0; k < system.bands(); ++k) {
     if (proof.norm[k] > proof.allowed[k]) open.push_back(k);
@@ -212,7 +212,7 @@ Bands correction(const RadiositySystem& system, const CoarseRoom& coarse, const 
   for (int k = 0; k < most && solve.drop_arrived(); ++k) solve.step(iterations);
   const Floats& e = solve.solution();
   for (std::size_t k = 0; k < open.size(); ++k) {
-    result.col(open[k]) = e.col(static_cast<Index>(k)).head(system.patches()).cast<double>() *
+    result.col(open[k]) = e.col(static_cast<Index>(k)).head(system.rows()).cast<double>() *
                           system.reflector.numbers().col(open[k]).sqrt() / root_area *
                           size[open[k]];
   }

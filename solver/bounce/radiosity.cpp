@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -18,10 +19,13 @@ void require(bool holds, const char* what, double value, const char* wanted) {
   if (!holds) throw std::invalid_argument(fmt::format("{} {}; want {}", what, value, wanted));
 }
 
-/// Written so that NaN fails too.
-void require_physical(const Bands& emission, const Bands& direct, const Bands& reflectance) {
-  require((emission >= 0).all(), "emission down to", emission.minCoeff(), "0 or more");
-  require((direct >= 0).all(), "direct irradiance down to", direct.minCoeff(), "0 or more");
+/// Of the means; slopes have either sign. Written so that NaN fails too.
+void require_physical(Index patches, const Bands& emission, const Bands& direct,
+                      const Bands& reflectance) {
+  const Index means = std::min(patches, std::min(emission.rows(), direct.rows()));
+  const auto emitted = emission.topRows(means), arriving = direct.topRows(means);
+  require((emitted >= 0).all(), "emission down to", emitted.minCoeff(), "0 or more");
+  require((arriving >= 0).all(), "direct irradiance down to", arriving.minCoeff(), "0 or more");
   require((reflectance >= 0 && reflectance < 1).all(), "reflectance up to", reflectance.maxCoeff(),
           "0 to below 1");
 }
@@ -29,9 +33,10 @@ void require_physical(const Bands& emission, const Bands& direct, const Bands& r
 void check(const ExchangeAreas& exchange, const Bands& emission, const Bands& direct,
            const Reflector& reflector, const RadiosityOptions& options) {
   const auto require_shape = [&](Index rows, Index columns) {
-    if (rows == exchange.patches() && columns == emission.cols()) return;
-    throw std::invalid_argument(fmt::format("{} x {} values; want {} patches x {} bands", rows,
-                                            columns, exchange.patches(), emission.cols()));
+    if (rows == exchange.rows() && columns == emission.cols()) return;
+    throw std::invalid_argument(
+        fmt::format("{} x {} values; want {} patches x {} functions of each x {} bands", rows,
+                    columns, exchange.patches(), exchange.modes, emission.cols()));
   };
   require_shape(emission.rows(), emission.cols());
   require_shape(direct.rows(), direct.cols());
@@ -73,7 +78,7 @@ ArrayXd bounce_growth(const ExchangeAreas& exchange, const Reflector& reflector)
   constexpr int kBounces = 60, kAveraged = 30;
   constexpr double kGoldenRatio = 0.6180339887498949;
   double seed = 0;
-  Bands light = Bands::NullaryExpr(exchange.patches(), reflector.bands(), [&] {
+  Bands light = Bands::NullaryExpr(exchange.rows(), reflector.bands(), [&] {
     seed = std::fmod(seed + kGoldenRatio, 1);
     return seed;
   });
@@ -115,7 +120,7 @@ MethodResult run(const RadiositySystem& system, const RadiosityOptions& options)
 void put(const MethodResult& result, const RadiositySystem& system, const std::vector<Index>& lit,
          RadiositySolution& solution) {
   const Certificate& proof = result.certificate;
-  const double root_total_area = std::sqrt(system.exchange.area_m2.sum());
+  const double root_total_area = std::sqrt(system.exchange.total_area_m2());
   const double gather_norm = system.exchange.gather_norm.maxCoeff();
   for (std::size_t k = 0; k < lit.size(); ++k) {
     const auto column = static_cast<Index>(k);
@@ -136,7 +141,7 @@ void put(const MethodResult& result, const RadiositySystem& system, const std::v
 RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& emission,
                                   const Bands& direct, const Bands& reflectance,
                                   const RadiosityOptions& options) {
-  require_physical(emission, direct, reflectance);
+  require_physical(exchange.patches(), emission, direct, reflectance);
   return solve_radiosity(exchange, emission, direct, Reflector(reflectance), options);
 }
 
@@ -165,8 +170,8 @@ RadiositySolution solve_radiosity(const ExchangeAreas& exchange, const Bands& em
                          .reflector = reflector.columns(lit),
                          .contraction = {}};
   system.contraction = system.reflector.contraction();
-  solution.proven = (system.contraction < 1).all();
-  if (!solution.proven) {
+  solution.proven = exchange.modes == 1 && (system.contraction < 1).all();
+  if (!(system.contraction < 1).all()) {
     const ArrayXd proven = system.contraction;
     system.contraction =
         (proven < 1).select(proven, bounce_growth(exchange, system.reflector).min(proven));

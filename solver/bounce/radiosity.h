@@ -30,12 +30,13 @@ struct RadiositySolution {
 
 /// Solves H = F B + D, B = S + rho H for Lambertian patches in all bands at once [Goral1984]. S and
 /// D (patch x band) are what a patch emits and its direct irradiance from sources that are no
-/// patches.
+/// patches; with linear light a row each per function of a patch (ExchangeAreas), means first.
 ///
 /// Error bounds: let B be the last radiosities, H = F B + D gathered from them in double, B' = S +
 /// rho H. In the norm ||x|| = ||sqrt(A) x||_2 the operators F and rho F have norms 1 and rho_max (F
 /// is similar to a symmetric matrix whose rows sum to 1), and (1 - rho F)(B - B_exact) = B - B',
-/// hence ||B - B_exact|| <= ||B - B'|| / (1 - rho_max).
+/// hence ||B - B_exact|| <= ||B - B'|| / (1 - rho_max). With linear light F has negative entries;
+/// that its norm is 1 is then estimated (compute_exchange), so bounds are not proven.
 /// @throws std::invalid_argument  if sizes differ, a value is not finite or negative, or rho is not
 /// in [0, 1), or the method does not suit reflector or options
 [[nodiscard]] RadiositySolution solve_radiosity(const ExchangeAreas& exchange,

@@ -46,16 +46,6 @@ Method method_for(const Reflector& reflector, Method wished) {
   return wished;
 }
 
-Bands gather(const ExchangeAreas& exchange, const Bands& v) {
-  const Index n = v.rows(), pad = static_cast<Index>(kColumnPad);
-  const Index columns = (v.cols() + pad - 1) / pad * pad;
-  const Index rows = Index{exchange.unscaled.blocks} * kTile;
-  Bands in = Bands::Zero(rows, columns), out(rows, columns);
-  in.topLeftCorner(n, v.cols()) = v.colwise() * exchange.scaling;
-  multiply(exchange.unscaled, in.data(), out.data(), static_cast<std::size_t>(columns));
-  return out.topLeftCorner(n, v.cols()).colwise() * (exchange.scaling / exchange.area_m2);
-}
-
 Certificate certify(const RadiositySystem& system, const Bands& radiosity, double relative_error) {
   Certificate c;
   c.irradiance = gather(system.exchange, radiosity) + system.direct;

@@ -36,10 +36,7 @@ struct RadiosityOptions {
   bool overshoot = false;
 };
 
-/// F v in double, patch x band.
-[[nodiscard]] Bands gather(const ExchangeAreas& exchange, const Bands& v);
-
-/// Closure defect up to which F has norm 1, as the bounds assume.
+/// Closure defect up to which F has the norm that the bounds assume.
 inline constexpr double kClosed = 1e-9;
 
 /// A checked system of bands that all carry light, and the certificate every method stops by.
@@ -49,7 +46,7 @@ struct RadiositySystem {
   Reflector reflector;
   Eigen::ArrayXd contraction;  ///< norm of R F per band, proven or estimated
 
-  [[nodiscard]] Eigen::Index patches() const { return emission.rows(); }
+  [[nodiscard]] Eigen::Index rows() const { return emission.rows(); }
 
   [[nodiscard]] Eigen::Index bands() const { return emission.cols(); }
 };

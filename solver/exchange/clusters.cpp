@@ -19,12 +19,12 @@ using RowArray = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 constexpr double kUsualClusters = 64;
 constexpr std::size_t kMostClusters = 256;  ///< factoring them costs less than a sweep or two
 
-/// X_ij d_j summed over the patches j of each cluster, for the patches i of a row of tiles.
+/// X_ij d_j summed over the patches j of each cluster, for the rows i of a row of tiles.
 Eigen::ArrayXXd row_sums(const std::vector<int>& cluster, Index clusters,
                          const ExchangeAreas& exchange, int row) {
   const SymmetricTiles& tiles = exchange.unscaled;
   Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(kTile, clusters);
-  for (int column = 0; column < tiles.blocks; ++column) {
+  for (int column = 0; column * kTile < exchange.patches(); ++column) {
     const std::int64_t at = tiles.offset[tiles.index(std::min(row, column), std::max(row, column))];
     if (at == SymmetricTiles::kAbsent) continue;
     const Eigen::Map<const Eigen::Array<float, kTile, kTile, Eigen::RowMajor>> tile(
@@ -74,7 +74,8 @@ MatrixXd exchange_between(const std::vector<int>& cluster, const ExchangeAreas& 
   const Index n = exchange.patches();
   const Index clusters = *std::max_element(cluster.begin(), cluster.end()) + 1;
   RowArray sent(n, clusters);  // A_i F_ij, summed over the patches j of a cluster
-  tbb::parallel_for(0, exchange.unscaled.blocks, [&](int row) {
+  const auto blocks = static_cast<int>((n + kTile - 1) / kTile);  // that have means
+  tbb::parallel_for(0, blocks, [&](int row) {
     const Index first = Index{row} * kTile, size = std::min<Index>(kTile, n - first);
     sent.middleRows(first, size) =
         row_sums(cluster, clusters, exchange, row).topRows(size).colwise() *

@@ -13,6 +13,8 @@
 
 #include "solver/exchange/closure.h"
 #include "solver/exchange/clusters.h"
+#include "solver/exchange/facing_table.h"
+#include "solver/exchange/slopes.h"
 #include "solver/factors/far_field.h"
 #include "solver/factors/pair_factor.h"
 #include "solver/factors/rectangle_pairs.h"
@@ -21,70 +23,7 @@ namespace solver {
 namespace {
 
 static_assert(kTile == kFarPatches);  // a row of a tile is what the far field takes at once
-constexpr double kOnPlane_m = 1e-12;
 constexpr std::size_t kTileSize = std::size_t{kTile} * kTile;
-
-/// Which patches can face each other. For every plane of the mesh it holds how far each patch
-/// reaches in front of it; where all patches of two planes are to each other alike, it looks no
-/// further.
-class FacingTable {
- public:
-  enum class Pair : std::uint8_t { none, straddling, facing, mixed };
-
-  explicit FacingTable(const scenes::PatchMesh& mesh)
-      : patches_(mesh.polygon.size()), plane_of_(mesh.plane.begin(), mesh.plane.end()) {
-    planes_ = *std::max_element(plane_of_.begin(), plane_of_.end()) + 1;
-    std::vector<Plane> plane(planes_);
-    for (std::size_t i = 0; i < patches_; ++i) {
-      plane[plane_of_[i]] = {mesh.normal[i], mesh.normal[i].dot(mesh.centre[i])};
-    }
-    heights_.resize(planes_ * patches_);
-    std::vector<Range> all(planes_ * planes_);
-    for (std::size_t p = 0; p < planes_; ++p) {
-      for (std::size_t j = 0; j < patches_; ++j) {
-        Range& range = heights_[p * patches_ + j];
-        for (const Eigen::Vector3d& v : mesh.polygon[j]) range.extend(plane[p].height_m(v));
-        Range& of_plane = all[p * planes_ + plane_of_[j]];
-        of_plane.extend(range.lowest_m);
-        of_plane.extend(range.highest_m);
-      }
-    }
-    for (std::size_t p = 0; p < planes_; ++p) {
-      for (std::size_t q = 0; q < planes_; ++q) {
-        const Pair pair = relation(all[p * planes_ + q], all[q * planes_ + p]);
-        of_planes_.push_back(pair == Pair::straddling ? Pair::mixed : pair);
-      }
-    }
-  }
-
-  [[nodiscard]] Pair relation(std::size_t i, std::size_t j) const {
-    const Pair pair = of_planes_[plane_of_[i] * planes_ + plane_of_[j]];
-    return pair != Pair::mixed ? pair
-                               : relation(heights_[plane_of_[i] * patches_ + j],
-                                          heights_[plane_of_[j] * patches_ + i]);
-  }
-
- private:
-  struct Range {
-    double lowest_m = 1e300, highest_m = -1e300;
-
-    void extend(double height_m) {
-      lowest_m = std::min(lowest_m, height_m);
-      highest_m = std::max(highest_m, height_m);
-    }
-  };
-
-  static Pair relation(const Range& j_over_i, const Range& i_over_j) {
-    if (std::min(j_over_i.highest_m, i_over_j.highest_m) <= kOnPlane_m) return Pair::none;
-    return std::min(j_over_i.lowest_m, i_over_j.lowest_m) >= -kOnPlane_m ? Pair::facing
-                                                                         : Pair::straddling;
-  }
-
-  std::size_t patches_, planes_ = 0;
-  std::vector<std::size_t> plane_of_;
-  std::vector<Range> heights_;   ///< [plane][patch]
-  std::vector<Pair> of_planes_;  ///< [plane][plane]
-};
 
 /// Pairs of aligned rectangles that are near, gathered over a tile so that vectors are full.
 class NearPairs {
@@ -140,9 +79,14 @@ class Assembly {
   }
 
   struct Counts {
-    std::int64_t facing = 0, tested = 0, partial = 0;
+    std::int64_t facing = 0, tested = 0;
   };
 
+  [[nodiscard]] const FacingTable& facing() const { return facing_; }
+
+  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
+
+  /// Of two blocks of patches.
   [[nodiscard]] bool any_facing(int row, int column) const {
     if (!options_.skip) return true;
     for (std::size_t i = begin(row); i < end(row); ++i) {
@@ -153,7 +97,8 @@ class Assembly {
     return false;
   }
 
-  Counts fill(int row, int column, float* tile) const {
+  /// @param partial  gets the pairs that something hides in part
+  Counts fill(int row, int column, float* tile, std::vector<PartialPair>& partial) const {
     Counts counts;
     NearPairs near;
     const auto for_each_row = [&](const auto& visit) {
@@ -166,7 +111,7 @@ class Assembly {
     });
     near.evaluate();
     for_each_row([&](std::size_t i, std::size_t first, float* line) {
-      hide(i, first, column, line, counts);
+      hide(i, first, column, line, counts, partial);
       if (row != column) return;
       for (std::size_t j = first; j < end(column); ++j) {
         tile[(j - begin(row)) * kTile + (i - begin(row))] = line[j - begin(column)];
@@ -223,7 +168,8 @@ class Assembly {
     return aligned(*rectangles_[i], *rectangles_[j]);
   }
 
-  void hide(std::size_t i, std::size_t first, int column, float* line, Counts& counts) const {
+  void hide(std::size_t i, std::size_t first, int column, float* line, Counts& counts,
+            std::vector<PartialPair>& partial) const {
     if (visibility_.unobstructed()) return;
     for (std::size_t j = first; j < end(column); ++j) {
       float& value = line[j - begin(column)];
@@ -231,13 +177,13 @@ class Assembly {
       if (value == 0 || !visibility_.may_block(pi, pj)) continue;
       ++counts.tested;
       const bool lamp = !options_.lamp.empty() && (options_.lamp[i] || options_.lamp[j]);
+      const int rays = lamp ? options_.lamp_rays : options_.rays;
       const std::uint64_t seed = static_cast<std::uint64_t>(i) << 32U | j;
-      const double share =
-          visibility_
-              .between(facets_[i], visibility_.separation(pi), facets_[j],
-                       visibility_.separation(pj), seed, lamp ? options_.lamp_rays : options_.rays)
-              .share;
-      if (share > 0 && share < 1) ++counts.partial;
+      const double share = visibility_
+                               .between(facets_[i], visibility_.separation(pi), facets_[j],
+                                        visibility_.separation(pj), seed, rays)
+                               .share;
+      if (share > 0 && share < 1) partial.push_back({i, j, share, rays});
       value *= static_cast<float>(share);
     }
   }
@@ -268,6 +214,118 @@ SymmetricTiles allocate(int blocks, Present present) {
   return tiles;
 }
 
+/// Tiles of a matrix with one row per patch and mode; blocks of patches, 64 each, straddle them.
+SymmetricTiles allocate(const Assembly& assembly, int modes) {
+  const auto patches = static_cast<int>(assembly.facets().size());
+  if (modes == 1) {
+    return allocate(blocks_for(assembly.facets().size()),
+                    [&](int row, int column) { return assembly.any_facing(row, column); });
+  }
+  const int blocks = blocks_for(assembly.facets().size());
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> facing(blocks, blocks);
+  for (int i = 0; i < blocks; ++i) {
+    for (int j = i; j < blocks; ++j) facing(i, j) = facing(j, i) = assembly.any_facing(i, j);
+  }
+  const int rows = modes * patches;
+  const auto blocks_of = [&](int tile) {  // of patches, of which the tile has rows
+    std::vector<int> all;
+    for (int row = tile * kTile; row < std::min((tile + 1) * kTile, rows); ++row) {
+      const int block = row % patches / kTile;
+      if (all.empty() || all.back() != block) all.push_back(block);
+    }
+    return all;
+  };
+  return allocate(blocks_for(static_cast<std::size_t>(rows)), [&](int row, int column) {
+    for (const int i : blocks_of(row)) {
+      for (const int j : blocks_of(column)) {
+        if (facing(i, j) || i == j) return true;  // slopes exchange with their own mean
+      }
+    }
+    return false;
+  });
+}
+
+/// Light on these patches counts as constant.
+void drop_slopes(ExchangeAreas& x, const std::vector<Eigen::Index>& patches) {
+  const Eigen::Index n = x.patches();
+  for (const Eigen::Index p : patches) {
+    for (int a = 1; a < x.modes; ++a) {
+      x.scaling[a * n + p] = 0;
+      x.slope_self_m2[(a - 1) * n + p] = 0;
+    }
+  }
+  x.without_slopes += static_cast<int>(patches.size());
+}
+
+/// Patches that get most of their light from one other: deep in a slot, where the moments of the
+/// two are less exact than light that goes to and fro so often asks for.
+std::vector<Eigen::Index> patches_in_slots(const ExchangeAreas& x) {
+  constexpr double kMost = 0.75;
+  std::vector<char> in_slot(static_cast<std::size_t>(x.patches()), 0);
+  tbb::parallel_for(0, x.patches(), [&](int i) {
+    for (int j = 0; j < x.patches(); ++j) {
+      if (x.form_factor(i, j) > kMost) in_slot[static_cast<std::size_t>(i)] = 1;
+    }
+  });
+  std::vector<Eigen::Index> patches;
+  for (std::size_t i = 0; i < in_slot.size(); ++i) {
+    if (in_slot[i] != 0) patches.push_back(static_cast<Eigen::Index>(i));
+  }
+  return patches;
+}
+
+struct Strongest {
+  double norm = 0;
+  Eigen::VectorXd pattern;  ///< sqrt(A) x, of norm 1
+};
+
+/// The norm of F in ||sqrt(A) x||, by the power method beside the light that is even everywhere,
+/// whose factor is 1.
+Strongest strongest_pattern(const ExchangeAreas& x) {
+  constexpr int kSteps = 40;
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  const Eigen::ArrayXd root = x.area_m2.sqrt();
+  Eigen::VectorXd even = Eigen::VectorXd::Zero(x.rows());
+  even.head(x.patches()) = root.head(x.patches()).matrix().normalized();
+  double seed = 0;
+  Strongest s;
+  s.pattern = Eigen::VectorXd::NullaryExpr(x.rows(), [&](Eigen::Index) {
+    seed = std::fmod(seed + kGoldenRatio, 1);
+    return seed - 0.5;
+  });
+  for (int step = 0; step < kSteps; ++step) {
+    s.pattern -= even.dot(s.pattern) * even;
+    s.pattern.normalize();
+    const Bands moved = gather(x, (s.pattern.array() / root).matrix());
+    s.pattern = (moved.col(0) * root).matrix();
+    s.norm = s.pattern.norm();
+  }
+  s.pattern /= std::max(s.norm, 1e-300);
+  return s;
+}
+
+/// Where moments are too inaccurate for F to shorten light, light becomes constant: on the patches
+/// whose slopes make most of the pattern that grows, until none grows.
+void contract(ExchangeAreas& x) {
+  constexpr double kNoise = 1e-6, kShare = 0.1;
+  constexpr int kMostTries = 20;
+  drop_slopes(x, patches_in_slots(x));
+  const Eigen::Index n = x.patches();
+  for (int t = 0;; ++t) {
+    const Strongest strongest = strongest_pattern(x);
+    if (strongest.norm <= 1 + kNoise) return;
+    const Eigen::ArrayXd square = strongest.pattern.array().square();
+    const Eigen::ArrayXd of_slopes = square.segment(n, n) + square.tail(n);
+    const double most = t < kMostTries ? kShare * of_slopes.maxCoeff() : -1;
+    std::vector<Eigen::Index> patches;
+    for (Eigen::Index p = 0; p < n; ++p) {
+      if (x.scaling[n + p] > 0 && of_slopes[p] > most) patches.push_back(p);
+    }
+    if (patches.empty()) return;
+    drop_slopes(x, patches);
+  }
+}
+
 }  // namespace
 
 std::vector<Facet> facets_of(const scenes::PatchMesh& mesh) {
@@ -282,26 +340,43 @@ ExchangeAreas compute_exchange(const scenes::PatchMesh& mesh, const Visibility& 
   const Assembly assembly(mesh, visibility, options);
   const int blocks = blocks_for(mesh.polygon.size());
   ExchangeAreas exchange;
-  exchange.area_m2 = Eigen::Map<const Eigen::ArrayXd>(mesh.area_m2.data(), mesh.size());
-  exchange.unscaled =
-      allocate(blocks, [&](int row, int column) { return assembly.any_facing(row, column); });
+  exchange.modes = options.slopes != nullptr ? SlopeBasis::kModes : 1;
+  exchange.area_m2 = Eigen::Map<const Eigen::ArrayXd>(mesh.area_m2.data(), mesh.size())
+                         .replicate(exchange.modes, 1);
+  exchange.unscaled = allocate(assembly, exchange.modes);
 
-  std::atomic<std::int64_t> facing{0}, tested{0}, partial{0};
-  tbb::parallel_for(0, blocks * blocks, [&](int index) {
-    const int row = index / blocks, column = index % blocks;
-    if (column < row) return;
-    const std::int64_t at = exchange.unscaled.offset[exchange.unscaled.index(row, column)];
-    if (at == SymmetricTiles::kAbsent) return;
-    const Assembly::Counts counts =
-        assembly.fill(row, column, &exchange.unscaled.values[static_cast<std::size_t>(at)]);
+  std::atomic<std::int64_t> facing{0}, tested{0};
+  std::vector<std::vector<PartialPair>> partial(static_cast<std::size_t>(blocks) *
+                                                static_cast<std::size_t>(blocks));
+  const auto for_each_tile = [&](const auto& visit) {
+    tbb::parallel_for(0, blocks * blocks, [&](int index) {
+      const int row = index / blocks, column = index % blocks;
+      if (column < row) return;
+      const std::int64_t at = exchange.unscaled.offset[exchange.unscaled.index(row, column)];
+      if (at != SymmetricTiles::kAbsent) {
+        visit(row, column, &exchange.unscaled.values[static_cast<std::size_t>(at)],
+              partial[static_cast<std::size_t>(index)]);
+      }
+    });
+  };
+  for_each_tile([&](int row, int column, float* tile, std::vector<PartialPair>& pairs) {
+    const Assembly::Counts counts = assembly.fill(row, column, tile, pairs);
     facing += counts.facing;
     tested += counts.tested;
-    partial += counts.partial;
   });
   exchange.facing_pairs = facing;
   exchange.tested_pairs = tested;
-  exchange.partial_pairs = partial;
+  for (const auto& pairs : partial) {
+    exchange.partial_pairs += static_cast<std::int64_t>(pairs.size());
+  }
+  if (options.slopes != nullptr) {
+    const SlopeAssembly slopes(assembly.facets(), *options.slopes, assembly.facing(), visibility);
+    for_each_tile([&](int row, int column, const float*, const std::vector<PartialPair>& pairs) {
+      slopes.fill(row, column, pairs, exchange.unscaled);
+    });
+  }
   close(exchange);
+  if (exchange.modes > 1) contract(exchange);
   exchange.cluster = cluster_patches(mesh);
   exchange.cluster_exchange_m2 = exchange_between(exchange.cluster, exchange);
   return exchange;

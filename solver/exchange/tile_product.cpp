@@ -206,6 +206,15 @@ float SymmetricTiles::at(int i, int j) const {
   return values[static_cast<std::size_t>(tile + low % edge * edge + high % edge)];
 }
 
+void SymmetricTiles::set(int i, int j, float value) {
+  const int edge = static_cast<int>(kEdge), low = std::min(i, j), high = std::max(i, j);
+  const std::int64_t tile = offset[index(low / edge, high / edge)];
+  values[static_cast<std::size_t>(tile + low % edge * edge + high % edge)] = value;
+  if (low / edge == high / edge) {
+    values[static_cast<std::size_t>(tile + high % edge * edge + low % edge)] = value;
+  }
+}
+
 void multiply(const SymmetricTiles& matrix, const float* b, float* y, std::size_t columns) {
   Product(HWY_DYNAMIC_DISPATCH(add_tile_float), matrix, b, y, columns).compute();
 }

@@ -26,6 +26,9 @@ struct SymmetricTiles {
 
   /// Entry (i, j) of the matrix.
   [[nodiscard]] float at(int i, int j) const;
+
+  /// Also at (j, i); of a tile that is stored.
+  void set(int i, int j, float value);
 };
 
 /// Columns of the dense operands are padded to a multiple of this.

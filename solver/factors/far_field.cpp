@@ -34,6 +34,7 @@ struct FarPairs {
   const FarRow* row;
   std::size_t at;  ///< of the first patch j in the row
   float* out;
+  std::array<const float*, 2> slope_i{}, slope_j{};  ///< psi_1, psi_2 of patch i, of the first j
 };
 
 }  // namespace solver
@@ -170,6 +171,49 @@ void far_pairs(const FarPairs& pair) {
   hn::StoreU(sum, d, pair.out);
 }
 
+/// Means over the points of psi_a psi_b (c_i + a)(c_j + b) / (1 + e)^2, in the terms of far_pairs,
+/// at out[(3 a + b) kFarPatches].
+void far_moments(const FarPairs& pair) {
+  const D d;
+  const FarRow& row = *pair.row;
+  const V s = hn::LoadU(d, row.inverse_m.data() + pair.at), s2 = hn::Mul(s, s);
+  const V ci = hn::LoadU(d, row.cos_i.data() + pair.at), one = hn::Set(d, 1);
+  const Vec3 twice_r = load(row.twice_x.data() + pair.at, row.twice_y.data() + pair.at,
+                            row.twice_z.data() + pair.at);
+  const Vec3 ni = broadcast(pair.ni[0], pair.ni[1], pair.ni[2]);
+  FromPoint points[FarField::kMostPoints];
+  prepare(pair, s, twice_r, points);
+  V sum[9];
+  for (V& m : sum) m = hn::Zero(d);
+  for (std::size_t k = 0; k < pair.points_j; ++k) {
+    const std::size_t at = k * pair.stride;
+    const Vec3 q = load(pair.xj + at, pair.yj + at, pair.zj + at);
+    const V cos_i = hn::MulAdd(s, dot(q, ni), ci), e_q = hn::MulAdd(s2, dot(q, q), dot(q, twice_r));
+    const V minus_2s2 = hn::Mul(s2, hn::Set(d, -2));
+    const Vec3 t{hn::Mul(minus_2s2, q.x), hn::Mul(minus_2s2, q.y), hn::Mul(minus_2s2, q.z)};
+    V inner[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    for (std::size_t p = 0; p < pair.points_i; ++p) {
+      const FromPoint& from = points[p];
+      V r2 = hn::Add(one, hn::MulAdd(t.z, hn::Set(d, from.z), hn::Add(from.e, e_q)));
+      r2 = hn::MulAdd(t.x, hn::Set(d, from.x), hn::MulAdd(t.y, hn::Set(d, from.y), r2));
+      const V kernel = hn::Div(from.w_cos_j, hn::Mul(r2, r2));
+      const std::size_t of_i = p * pair.stride;
+      inner[0] = hn::Add(inner[0], kernel);
+      inner[1] = hn::MulAdd(hn::Set(d, pair.slope_i[0][of_i]), kernel, inner[1]);
+      inner[2] = hn::MulAdd(hn::Set(d, pair.slope_i[1][of_i]), kernel, inner[2]);
+    }
+    const V w = hn::Mul(cos_i, hn::LoadU(d, pair.wj + at));
+    const V psi[3] = {w, hn::Mul(w, hn::LoadU(d, pair.slope_j[0] + at)),
+                      hn::Mul(w, hn::LoadU(d, pair.slope_j[1] + at))};
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = 0; b < 3; ++b) {
+        sum[3 * a + b] = hn::MulAdd(inner[a], psi[b], sum[3 * a + b]);
+      }
+    }
+  }
+  for (std::size_t m = 0; m < 9; ++m) hn::StoreU(sum[m], d, pair.out + m * kFarPatches);
+}
+
 std::size_t lanes() { return hn::Lanes(hn::ScalableTag<float>()); }
 
 }  // namespace solver::HWY_NAMESPACE
@@ -183,6 +227,7 @@ namespace {
 
 HWY_EXPORT(start_row);
 HWY_EXPORT(far_pairs);
+HWY_EXPORT(far_moments);
 HWY_EXPORT(lanes);
 
 /// Points of a rectangle that serve as well as a product rule of `order` points an edge and are
@@ -222,7 +267,7 @@ std::vector<QuadraturePoint> sparse_rule(const Facet& f, int order) {
 
 }  // namespace
 
-FarField::FarField(const std::vector<Facet>& facets)
+FarField::FarField(const std::vector<Facet>& facets, const std::vector<SlopeBasis>& bases)
     : padded_((facets.size() + kFarPatches - 1) / kFarPatches * kFarPatches),
       area_m2_(padded_),
       size_m_(padded_) {
@@ -235,6 +280,7 @@ FarField::FarField(const std::vector<Facet>& facets)
     rule.points.assign(padded_, 0);
     for (auto* v : {&rule.x, &rule.y, &rule.z, &rule.weight})
       v->assign(padded_ * kMostPoints, 0.0F);
+    for (auto& slope : rule.slope) slope.assign(bases.empty() ? 0 : padded_ * kMostPoints, 0.0F);
   }
   for (std::size_t i = 0; i < facets.size(); ++i) {
     const Facet& f = facets[i];
@@ -248,11 +294,11 @@ FarField::FarField(const std::vector<Facet>& facets)
       centre_m_[axis][i] = f.centre[static_cast<Eigen::Index>(axis)];
       normal_[axis][i] = f.normal[static_cast<Eigen::Index>(axis)];
     }
-    if (has_rule_[i]) add_points(f, i);
+    if (has_rule_[i]) add_points(f, bases.empty() ? nullptr : &bases[i], i);
   }
 }
 
-void FarField::add_points(const Facet& f, std::size_t patch) {
+void FarField::add_points(const Facet& f, const SlopeBasis* basis, std::size_t patch) {
   for (int order = 2; order <= 4; ++order) {
     Rule& rule = rules_[static_cast<std::size_t>(order)];
     std::size_t at = patch;
@@ -263,6 +309,10 @@ void FarField::add_points(const Facet& f, std::size_t patch) {
       rule.y[at] = offset.y();
       rule.z[at] = offset.z();
       rule.weight[at] = static_cast<float>(q.weight_m2 / f.area_m2);
+      for (std::size_t axis = 0; axis < 2 && basis != nullptr; ++axis) {
+        rule.slope[axis][at] =
+            static_cast<float>(basis->gradient_per_m[axis].dot(q.position - f.centre));
+      }
       at += padded_;
       ++rule.points[patch];
     }
@@ -288,12 +338,12 @@ void FarField::start(std::size_t i, std::size_t first, FarRow& row) const {
    row);
 }
 
-void FarField::exchange(const FarRow& row, const std::array<int, kFarPatches>& order,
-                        float* exchange_area_m2) const {
-  std::array<float, kFarPatches> excess;
+/// Groups of 16 share the rule of their nearest pair, whatever the vector length: equal bits
+/// everywhere.
+template <typename Visit>
+void FarField::for_each_vector(const FarRow& row, const std::array<int, kFarPatches>& order,
+                               const Visit& visit) const {
   const std::size_t i = row.i;
-  // Groups of 16 share the rule of their nearest pair, whatever the vector length: equal bits
-  // everywhere.
   constexpr std::size_t kGroup = 16;
   const std::size_t step = HWY_DYNAMIC_DISPATCH(lanes)();
   for (std::size_t k = 0; k < kFarPatches; k += step) {
@@ -303,32 +353,60 @@ void FarField::exchange(const FarRow& row, const std::array<int, kFarPatches>& o
     const Rule& rule = rules_[static_cast<std::size_t>(most)];
     const std::size_t j = row.first + k;
     const std::size_t* points = &rule.points[row.first + group];
-    HWY_DYNAMIC_DISPATCH(far_pairs)
-    ({.points_i = rule.points[i],
-      .points_j = *std::max_element(points, points + kGroup),
-      .stride = padded_,
-      .xi = &rule.x[i],
-      .yi = &rule.y[i],
-      .zi = &rule.z[i],
-      .wi = &rule.weight[i],
-      .xj = &rule.x[j],
-      .yj = &rule.y[j],
-      .zj = &rule.z[j],
-      .wj = &rule.weight[j],
-      .ni = {normal_x_[i], normal_y_[i], normal_z_[i]},
-      .njx = &normal_x_[j],
-      .njy = &normal_y_[j],
-      .njz = &normal_z_[j],
-      .row = &row,
-      .at = k,
-      .out = &excess[k]});
-    for (std::size_t lane = k; lane < k + step; ++lane) {
+    FarPairs pairs{.points_i = rule.points[i],
+                   .points_j = *std::max_element(points, points + kGroup),
+                   .stride = padded_,
+                   .xi = &rule.x[i],
+                   .yi = &rule.y[i],
+                   .zi = &rule.z[i],
+                   .wi = &rule.weight[i],
+                   .xj = &rule.x[j],
+                   .yj = &rule.y[j],
+                   .zj = &rule.z[j],
+                   .wj = &rule.weight[j],
+                   .ni = {normal_x_[i], normal_y_[i], normal_z_[i]},
+                   .njx = &normal_x_[j],
+                   .njy = &normal_y_[j],
+                   .njz = &normal_z_[j],
+                   .row = &row,
+                   .at = k,
+                   .out = nullptr};
+    for (std::size_t axis = 0; axis < 2 && !rule.slope[axis].empty(); ++axis) {
+      pairs.slope_i[axis] = &rule.slope[axis][i];
+      pairs.slope_j[axis] = &rule.slope[axis][j];
+    }
+    visit(pairs);
+  }
+}
+
+void FarField::exchange(const FarRow& row, const std::array<int, kFarPatches>& order,
+                        float* exchange_area_m2) const {
+  std::array<float, kFarPatches> excess;
+  const std::size_t step = HWY_DYNAMIC_DISPATCH(lanes)();
+  for_each_vector(row, order, [&](FarPairs& pairs) {
+    pairs.out = &excess[pairs.at];
+    HWY_DYNAMIC_DISPATCH(far_pairs)(pairs);
+    for (std::size_t lane = pairs.at; lane < pairs.at + step; ++lane) {
       if (order[lane] == 0) continue;
       const double value =
           row.area_factor_m2[lane] * (row.cosines[lane] + static_cast<double>(excess[lane]));
       exchange_area_m2[lane] = static_cast<float>(std::max(0.0, value));  // they may hardly face
     }
-  }
+  });
+}
+
+void FarField::moments(const FarRow& row, const std::array<int, kFarPatches>& order,
+                       Moments& moments_m2) const {
+  const std::size_t step = HWY_DYNAMIC_DISPATCH(lanes)();
+  for_each_vector(row, order, [&](FarPairs& pairs) {
+    pairs.out = &moments_m2[0][pairs.at];
+    HWY_DYNAMIC_DISPATCH(far_moments)(pairs);
+    for (FarRow::Floats& moment : moments_m2) {
+      for (std::size_t lane = pairs.at; lane < pairs.at + step; ++lane) {
+        moment[lane] *= static_cast<float>(row.area_factor_m2[lane]);
+      }
+    }
+  });
 }
 
 }  // namespace solver

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solver/factors/facet.h"
+#include "solver/factors/slope_basis.h"
 
 namespace solver {
 
@@ -32,7 +33,8 @@ class FarField {
  public:
   static constexpr std::size_t kMostPoints = 16;  ///< of a patch
 
-  explicit FarField(const std::vector<Facet>& facets);
+  /// @param bases  of the facets; empty: no moments are asked for
+  explicit FarField(const std::vector<Facet>& facets, const std::vector<SlopeBasis>& bases = {});
 
   /// Five and more corners have no product rule here.
   [[nodiscard]] bool has_rule(std::size_t patch) const { return has_rule_[patch]; }
@@ -44,14 +46,24 @@ class FarField {
   void exchange(const FarRow& row, const std::array<int, kFarPatches>& order,
                 float* exchange_area_m2) const;
 
+  /// <psi_a, K psi_b>, m^2, a on patch i and b on patch j, at [3 a + b], by the same rules; with
+  /// [0] for what the rule makes of A_i F_ij.
+  using Moments = std::array<FarRow::Floats, 9>;
+  void moments(const FarRow& row, const std::array<int, kFarPatches>& order,
+               Moments& moments_m2) const;
+
  private:
   struct Rule {
     std::vector<std::size_t> points;  ///< per patch
     std::vector<float> x, y, z;  ///< offsets from the centre, point-major: [point][padded patch]
     std::vector<float> weight;   ///< share of the area; 0 beyond a patch's last point
+    std::array<std::vector<float>, 2> slope;  ///< psi_1, psi_2 at the points
   };
 
-  void add_points(const Facet& facet, std::size_t patch);
+  template <typename Visit>
+  void for_each_vector(const FarRow& row, const std::array<int, kFarPatches>& order,
+                       const Visit& visit) const;
+  void add_points(const Facet& facet, const SlopeBasis* basis, std::size_t patch);
 
   std::size_t padded_ = 0;
   std::array<Rule, 5> rules_;  ///< by the order of exchange(): 2, 3, 4

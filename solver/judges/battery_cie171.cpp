@@ -86,10 +86,10 @@ Target panel_above(const Vector2d& point_m, double edge_m) {
 /// half a patch, then whole ones.
 constexpr double kFloorReflectance = 0.8, kSunNormal = 2;
 
-constexpr double kSunlitPatch_m = 4.0 / 18;
+constexpr double kSunlitPatch_m = 4.0 / 18;  ///< the longest edge
 
 scenes::Room sunlit_hall() {
-  scenes::Room room = black_box({4, 4, 3}, kSunlitPatch_m);
+  scenes::Room room = black_box({4, 4, 3}, kSunlitPatch_m / longest_edge_m(1, Light::linear));
   room.openings = {{.name = "window",
                     .wall = 0,
                     .offset_m = 1,
@@ -274,8 +274,10 @@ std::vector<Check> check_cie171_5_8() {
   const ArrayXd reflectance = ArrayXd::LinSpaced(31, 0.05, 0.9999);
   for (scenes::Surface& s : room.surfaces) s.reflectance.values = reflectance;
   const SolvedRoom lit = solved(room);
-  const ArrayXd& area_m2 = lit.transport.exchange.area_m2;
-  const Bands reflected = lit.solution.radiosity.irradiance - lit.transport.lightings[0].direct;
+  const Eigen::Index patches = lit.transport.mesh.size();
+  const ArrayXd area_m2 = lit.transport.exchange.area_m2.head(patches);
+  const Bands reflected =
+      (lit.solution.radiosity.irradiance - lit.transport.lightings[0].direct).topRows(patches);
   const ArrayXd mean =
       (area_m2.matrix().transpose() * reflected.matrix()).transpose().array() / area_m2.sum();
   return {worst_of({.name = "CIE 171 5.8, reflected light",

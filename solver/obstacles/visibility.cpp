@@ -154,12 +154,13 @@ SeparationMask Visibility::separation(const Facet& facet) const {
   return mask;
 }
 
-VisibleShare Visibility::between(const Facet& i, std::span<const std::uint8_t> mask_i,
-                                 const Facet& j, std::span<const std::uint8_t> mask_j,
-                                 std::uint64_t seed, int most_rays) const {
+/// Calls add(from, to, blocked) for every 16 rays. @return false if the first 16 agree
+template <typename Add>
+bool Visibility::follow_rays(const Facet& i, std::span<const std::uint8_t> mask_i, const Facet& j,
+                             std::span<const std::uint8_t> mask_j, std::uint64_t seed,
+                             int most_rays, VisibleShare& agreed, const Add& add) const {
   const Sequence4 sequence(seed);
   const Front front_i(i, j.plane()), front_j(j, i.plane());
-  WeightedShare sum;
   for (int done = 0; done < most_rays; done += kPacket) {
     const Points16 from = front_i.points(segments_, sequence, done, 0),
                    to = front_j.points(segments_, sequence, done, 2);
@@ -169,11 +170,58 @@ VisibleShare Visibility::between(const Facet& i, std::span<const std::uint8_t> m
         blocked |= segments_.blocked(b, from, to);
       }
     }
-    if (done == 0 && blocked == 0) return {};
-    if (done == 0 && blocked == kAllBlocked) return {.share = 0};
-    sum.add(kernels(from, i.normal, to, j.normal), blocked);
+    if (done == 0 && (blocked == 0 || blocked == kAllBlocked)) {
+      agreed.share = blocked == 0 ? 1 : 0;
+      return false;
+    }
+    add(from, to, blocked);
   }
-  return sum.share();
+  return true;
+}
+
+VisibleShare Visibility::between(const Facet& i, std::span<const std::uint8_t> mask_i,
+                                 const Facet& j, std::span<const std::uint8_t> mask_j,
+                                 std::uint64_t seed, int most_rays) const {
+  WeightedShare sum;
+  VisibleShare agreed;
+  const auto add = [&](const Points16& from, const Points16& to, std::uint32_t blocked) {
+    sum.add(kernels(from, i.normal, to, j.normal), blocked);
+  };
+  return follow_rays(i, mask_i, j, mask_j, seed, most_rays, agreed, add) ? sum.share() : agreed;
+}
+
+Eigen::Matrix3d Visibility::hidden_moments(const Facet& i, const SlopeBasis& basis_i,
+                                           std::span<const std::uint8_t> mask_i, const Facet& j,
+                                           const SlopeBasis& basis_j,
+                                           std::span<const std::uint8_t> mask_j, std::uint64_t seed,
+                                           int most_rays) const {
+  const auto functions = [&](const Points16& points, const Facet& f, const SlopeBasis& basis) {
+    Eigen::Array<float, kPacket, 3> psi;
+    psi.col(0) = 1;
+    const Eigen::Vector3f centre = segments_.local(f.centre);
+    for (int a = 0; a < 2; ++a) {
+      const Eigen::Vector3f g = basis.gradient_per_m[static_cast<std::size_t>(a)].cast<float>();
+      psi.col(a + 1) = (points.matrix() * g).array() - g.dot(centre);
+    }
+    return psi;
+  };
+  double all = 0;
+  Eigen::Matrix3d hidden = Eigen::Matrix3d::Zero();
+  const auto add = [&](const Points16& from, const Points16& to, std::uint32_t blocked) {
+    const Samples16 weights = kernels(from, i.normal, to, j.normal);
+    Samples16 lost = weights;
+    for (int k = 0; k < kPacket; ++k) {
+      if ((blocked >> k & 1U) == 0) lost[k] = 0;
+    }
+    all += weights.cast<double>().sum();
+    const auto psi_i = functions(from, i, basis_i), psi_j = functions(to, j, basis_j);
+    hidden += ((psi_i.colwise() * lost).matrix().transpose() * psi_j.matrix()).cast<double>();
+  };
+  VisibleShare agreed;
+  if (!follow_rays(i, mask_i, j, mask_j, seed, most_rays, agreed, add) || !(all > 0)) {
+    return Eigen::Matrix3d::Zero();
+  }
+  return hidden / all;
 }
 
 }  // namespace solver

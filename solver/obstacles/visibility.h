@@ -6,6 +6,7 @@
 #include "scenes/mesh/patch_mesh.h"
 #include "scenes/room.h"
 #include "solver/factors/facet.h"
+#include "solver/factors/slope_basis.h"
 #include "solver/obstacles/blocker.h"
 #include "solver/obstacles/segments.h"
 
@@ -50,9 +51,22 @@ class Visibility {
                                      const Facet& j, std::span<const std::uint8_t> mask_j,
                                      std::uint64_t seed, int most_rays) const;
 
+  /// What is hidden of the moments <psi_a, K psi_b> of two patches, a on i and b on j, as a share
+  /// of all of their A_i F_ij, by the rays of `between`.
+  [[nodiscard]] Eigen::Matrix3d hidden_moments(const Facet& i, const SlopeBasis& basis_i,
+                                               std::span<const std::uint8_t> mask_i, const Facet& j,
+                                               const SlopeBasis& basis_j,
+                                               std::span<const std::uint8_t> mask_j,
+                                               std::uint64_t seed, int most_rays) const;
+
   [[nodiscard]] const std::vector<Blocker>& blockers() const { return blockers_; }
 
  private:
+  template <typename Add>
+  [[nodiscard]] bool follow_rays(const Facet& i, std::span<const std::uint8_t> mask_i,
+                                 const Facet& j, std::span<const std::uint8_t> mask_j,
+                                 std::uint64_t seed, int most_rays, VisibleShare& agreed,
+                                 const Add& add) const;
   template <typename Vertices>
   void separate(const Vertices& vertices, const Plane& own, std::uint8_t* mask) const;
 

@@ -29,7 +29,7 @@ double read(const OutputRow& row, const RadiositySolution& solution, Index colum
 PaintedSolver::PaintedSolver(const ExchangeAreas& exchange, const PaintedPatches& painted,
                              const std::vector<OutputRow>& outputs, double relative_error)
     : exchange_(exchange), painted_(painted), outputs_(outputs), relative_error_(relative_error) {
-  for (int p = 0; p < exchange.patches(); ++p) {
+  for (int p = 0; p < exchange.rows(); ++p) {
     if (painted.group[static_cast<std::size_t>(p)] >= 0) patches_.push_back(p);
   }
   if (patches_.empty()) throw std::invalid_argument("no patch is painted");
@@ -48,7 +48,7 @@ void PaintedSolver::solve(std::vector<PaintedColumn>& columns) const {
 }
 
 void PaintedSolver::solve_some(PaintedColumn* first, Index count) const {
-  const Index n = exchange_.patches();
+  const Index n = exchange_.rows();
   Bands emission(n, count), direct(n, count), reflectance(n, count);
   for (Index k = 0; k < count; ++k) {
     emission.col(k) = first[k].emission;
@@ -80,12 +80,14 @@ VectorXd PaintedSolver::part(const VectorXd& received, int group) const {
 PaintedColumn PaintedSolver::emitter(const ArrayXd& fixed, const VectorXd& received,
                                      int group) const {
   PaintedColumn column{.fixed = fixed,
-                       .emission = VectorXd::Zero(exchange_.patches()),
-                       .direct = VectorXd::Zero(exchange_.patches()),
+                       .emission = VectorXd::Zero(exchange_.rows()),
+                       .direct = VectorXd::Zero(exchange_.rows()),
                        .paint = VectorXd::Zero(painted_.groups)};
   const VectorXd sent = part(received, group);
   for (Index p = 0; p < sent.size(); ++p) {
-    column.emission[patches_[static_cast<std::size_t>(p)]] = std::max(0.0, sent[p] / root_area_[p]);
+    const int row = patches_[static_cast<std::size_t>(p)];
+    const double emission = sent[p] / root_area_[p];
+    column.emission[row] = row < exchange_.patches() ? std::max(0.0, emission) : emission;
   }
   return column;
 }

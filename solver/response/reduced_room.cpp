@@ -341,12 +341,12 @@ void Reduction::measure(ReducedRoom& reduced) {
 
 void check(const ExchangeAreas& exchange, const std::vector<SourceLight>& lights,
            const PaintedPatches& painted, const std::vector<OutputRow>& outputs) {
-  const Index n = exchange.patches();
+  const Index n = exchange.rows();
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw std::invalid_argument(fmt::format("the room to reduce: {}", what));
   };
   require(static_cast<Index>(painted.group.size()) == n && painted.fixed.rows() == n,
-          "groups and reflectances want one row per patch");
+          "groups and reflectances want one row per function of a patch");
   require(painted.groups >= 1 && painted.groups <= 3, "1 to 3 groups can be painted");
   require(!lights.empty(), "there is no light");
   for (const SourceLight& l : lights) {
@@ -358,7 +358,7 @@ void check(const ExchangeAreas& exchange, const std::vector<SourceLight>& lights
   for (const OutputRow& o : outputs) {
     require((o.on_radiosity.size() == 0 || o.on_radiosity.size() == n) &&
                 (o.on_irradiance.size() == 0 || o.on_irradiance.size() == n),
-            "an output wants one weight per patch");
+            "an output wants one weight per function of a patch");
   }
 }
 

@@ -29,9 +29,9 @@ int outputs_per_view(bool white_of_surfaces, int groups) {
 
 PaintedPatches painted_patches(const scenes::Room& room, const RoomTransport& t) {
   PaintedPatches painted{.groups = static_cast<int>(room.paint.size()),
-                         .fixed = Bands(t.mesh.size(), room.grid.count)};
-  for (int p = 0; p < t.mesh.size(); ++p) {
-    const int s = t.mesh.surface[static_cast<std::size_t>(p)];
+                         .fixed = Bands(t.exchange.rows(), room.grid.count)};
+  for (int p = 0; p < t.exchange.rows(); ++p) {
+    const int s = t.mesh.surface[static_cast<std::size_t>(p % t.mesh.size())];
     painted.group.push_back(scenes::paint_group(room, s));
     painted.fixed.row(p) =
         room.surfaces[static_cast<std::size_t>(s)].reflectance.values.transpose();
@@ -43,10 +43,11 @@ PaintedPatches painted_patches(const scenes::Room& room, const RoomTransport& t)
 /// reflectance, row 1 + j group j.
 MatrixXd near_white_weights(const scenes::Room& room, const RoomTransport& t,
                             const ViewedWall& wall, const std::vector<int>& group) {
-  MatrixXd weights = MatrixXd::Zero(1 + static_cast<Index>(room.paint.size()), t.mesh.size());
-  for (int p = 0; p < t.mesh.size(); ++p) {
+  MatrixXd weights = MatrixXd::Zero(1 + static_cast<Index>(room.paint.size()), t.exchange.rows());
+  for (int p = 0; p < t.exchange.rows(); ++p) {
     const auto at = static_cast<std::size_t>(p);
-    const Spectrum& fixed = room.surfaces[static_cast<std::size_t>(t.mesh.surface[at])].reflectance;
+    const auto s = static_cast<std::size_t>(t.mesh.surface[at % t.mesh.surface.size()]);
+    const Spectrum& fixed = room.surfaces[s].reflectance;
     if (group[at] >= 0 || near_white(fixed)) {
       weights(1 + group[at], p) = wall.view.near_axis.weights[p];
     }
@@ -74,7 +75,7 @@ ReducedViews reduce_views(const scenes::Room& room, const RoomTransport& transpo
     if (!views.white_of_surfaces) continue;
     const MatrixXd weights = near_white_weights(room, transport, wall, painted.group);
     for (Index k = 0; k < weights.rows(); ++k) outputs.push_back({.on_irradiance = weights.row(k)});
-    views.share.push_back(weights.rowwise().sum());
+    views.share.push_back(weights.leftCols(transport.mesh.size()).rowwise().sum());
   }
   std::vector<SourceLight> lights;
   const std::size_t first = room.scenarios.empty() ? 0 : 1;

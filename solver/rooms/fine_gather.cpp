@@ -76,7 +76,7 @@ std::vector<int> faces_of_patches(const std::vector<RoomFace>& faces,
 Bands without_emission(const scenes::PatchMesh& mesh, const Bands& radiosity,
                        const Bands& emission) {
   Bands reflected = radiosity;
-  for (Index p = 0; p < reflected.rows(); ++p) {
+  for (Index p = 0; p < mesh.size(); ++p) {  // lamps have no slopes
     reflected.row(p) -= emission.row(mesh.surface[static_cast<std::size_t>(p)]);
   }
   return reflected;

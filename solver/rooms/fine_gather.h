@@ -33,7 +33,7 @@ struct FineIrradiance {
 /// The standard error comes from kFineBatches runs of rays, taken as independent: as they
 /// complement each other, it errs on the safe side. It leaves out what the coarse mesh does to the
 /// light.
-/// @param radiosity  B of the solved patches
+/// @param radiosity  B of the solved patches, slopes included
 /// @param emission  S, surface x band
 /// @param direct  D of the fine patches, from sources that are no patches
 [[nodiscard]] FineIrradiance gather_to_fine(const scenes::Room& room,

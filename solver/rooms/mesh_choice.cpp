@@ -27,15 +27,16 @@ double area_m2(const scenes::Room& room) {
   return std::accumulate(area.begin(), area.end(), 0.0);
 }
 
-double bytes_for(double patches, const scenes::Room& room) {
+/// @param unknowns  patches, times three where light is linear on them
+double bytes_for(double unknowns, const scenes::Room& room) {
   const int bands = room.grid.count;
   const double lightings = 1 + static_cast<double>(room.scenarios.size());
   const double padded = std::ceil(bands / 16.0) * 16;
   const auto points = static_cast<double>(room.receivers.size());
-  return patches * patches / 2 * sizeof(float) + patches * points * sizeof(double) +
-         patches * padded * (kFloatCopies * sizeof(float) + kDoubleCopies * sizeof(double)) +
-         patches * bands * lightings * kLightingCopies * sizeof(double) +
-         (kMeshBytes + kGatherBytes) * patches;
+  return unknowns * unknowns / 2 * sizeof(float) + unknowns * points * sizeof(double) +
+         unknowns * padded * (kFloatCopies * sizeof(float) + kDoubleCopies * sizeof(double)) +
+         unknowns * bands * lightings * kLightingCopies * sizeof(double) +
+         (kMeshBytes + kGatherBytes) * unknowns;
 }
 
 double fine_bytes_for(double patches, const scenes::Room& room) {
@@ -50,8 +51,9 @@ double fine_bytes_for(double patches, const scenes::Room& room) {
 }
 
 /// Coarse patches for a room of so many fine ones.
-MeshChoice choose_coarse(const scenes::Room& room, double patch_m, double fine_patches,
+MeshChoice choose_coarse(const scenes::Room& room, Light light, double patch_m, double fine_patches,
                          double room_area_m2, double limit) {
+  const int modes = modes_of(light);
   double count = kCoarsePatches;
   while (count > kFewestCoarsePatches && bytes_for(count, room) > limit / 2) count *= 0.9;
   MeshChoice choice{.solved = {},
@@ -59,10 +61,11 @@ MeshChoice choose_coarse(const scenes::Room& room, double patch_m, double fine_p
                              .patches = static_cast<std::int64_t>(std::llround(fine_patches))}};
   // Cutting along edges leaves more and smaller patches than asked for.
   for (choice.patch_m = std::sqrt(room_area_m2 / count);; choice.patch_m *= 1.1) {
-    choice.solved = scenes::mesh_room(room, choice.patch_m);
-    if (choice.solved.size() <= 1.3 * count || choice.patch_m > std::sqrt(room_area_m2)) break;
+    choice.solved = scenes::mesh_room(room, longest_edge_m(choice.patch_m, light));
+    if (modes * choice.solved.size() <= 1.3 * count || choice.patch_m > std::sqrt(room_area_m2))
+      break;
   }
-  const double coarse = bytes_for(choice.solved.size(), room);
+  const double coarse = bytes_for(modes * choice.solved.size(), room);
   const double bytes = coarse + fine_bytes_for(fine_patches, room);
   if (coarse > limit) {  // nearly all of it grows as patch_m^-4
     refuse(patch_m, bytes, limit, choice.patch_m * std::pow(coarse / limit, 0.25) * 1.02);
@@ -91,18 +94,23 @@ MeshChoice choose_mesh(const scenes::Room& room, const TransportOptions& options
   const auto limit = static_cast<double>(options.memory_limit_bytes > 0 ? options.memory_limit_bytes
                                                                         : available_memory_bytes());
   const double room_area_m2 = area_m2(room);
-  double patches = room_area_m2 / (patch_m * patch_m);  // at least
+  const double edge_m = longest_edge_m(patch_m, options.light);
+  double unknowns = modes_of(options.light) * room_area_m2 / (edge_m * edge_m);  // at least
   const auto solvable = [&] {
-    return patches <= kMostSolvedPatches && bytes_for(patches, room) <= limit;
+    return unknowns <= kMostSolvedPatches && bytes_for(unknowns, room) <= limit;
   };
   if (solvable()) {
-    MeshChoice choice{.solved = scenes::mesh_room(room, patch_m), .patch_m = patch_m};
-    patches = choice.solved.size();
-    choice.memory_bytes = static_cast<std::int64_t>(bytes_for(patches, room));
+    MeshChoice choice{.solved = scenes::mesh_room(room, longest_edge_m(patch_m, options.light)),
+                      .patch_m = patch_m};
+    unknowns = modes_of(options.light) * choice.solved.size();
+    choice.memory_bytes = static_cast<std::int64_t>(bytes_for(unknowns, room));
     if (solvable()) return choice;
   }
-  const bool many = patches > kMostSolvedPatches;
-  MeshChoice choice = choose_coarse(room, patch_m, patches, room_area_m2, limit);
+  const bool many = unknowns > kMostSolvedPatches;
+  const double fine_patches =
+      std::max(room_area_m2 / (patch_m * patch_m), options.light == Light::constant ? unknowns : 0);
+  MeshChoice choice =
+      choose_coarse(room, options.light, patch_m, fine_patches, room_area_m2, limit);
   choice.reason =
       many ? fmt::format("more than {}", kMostSolvedPatches) : "they do not fit in memory";
   return choice;

@@ -10,7 +10,9 @@
 namespace solver {
 namespace {
 
-constexpr double kOrder2 = 1.0 / 3;    ///< (E_h - E) / (E_2h - E_h) where E_h - E ~ h^2
+constexpr double kOrder2 = 1.0 / 3;  ///< (E_h - E) / (E_2h - E_h) where E_h - E ~ h^2
+/// By what the error falls at least from patches twice as long.
+constexpr double kConstantGain = 2, kLinearGain = 3;
 constexpr double kFirstPatches = 200;  ///< of the first mesh that is tried, about
 constexpr int kMostSteps = 12;
 constexpr double kShareOfSolver = 0.01;
@@ -28,10 +30,13 @@ std::vector<ReceiverLight*> points_of(RoomSolution& solution) {
 }
 
 /// A point on meshes of h, 2 h and 4 h.
-void compare(ReceiverLight& h, const ReceiverLight& h2, const ReceiverLight& h4, bool extrapolate) {
+void compare(ReceiverLight& h, const ReceiverLight& h2, const ReceiverLight& h4, Light light,
+             bool extrapolate) {
   const Eigen::ArrayXd step = h.irradiance - h2.irradiance, before = h2.irradiance - h4.irradiance;
   const double strongest = h.irradiance.maxCoeff();
-  h.mesh_error = strongest > 0 ? step.abs().max(before.abs() / 2).maxCoeff() / strongest : 0;
+  const double gain = light == Light::linear ? kLinearGain : kConstantGain;
+  const double told = std::max(step.abs().maxCoeff(), before.abs().maxCoeff() / gain) / (gain - 1);
+  h.mesh_error = strongest > 0 ? told / strongest : 0;
   if (extrapolate) h.irradiance = (h.irradiance + kOrder2 * step).max(0.0);
 }
 
@@ -52,9 +57,10 @@ double patch_m_for(const scenes::Room& room, double patches) {
   return std::sqrt(area_m2 / patches);
 }
 
-/// Patches as long as `left` asks for where the error falls as h^1.5.
-double next_patch_m(double patch_m, const PointErrors& error, double left) {
-  return patch_m * std::clamp(0.9 * std::pow(left / error.mesh, 2.0 / 3), 0.6, 0.8);
+/// Patches as long as `left` asks for where the error falls as h^1.5, with linear light as h^2.5.
+double next_patch_m(double patch_m, Light light, const PointErrors& error, double left) {
+  const double order = light == Light::linear ? 2.5 : 1.5;
+  return patch_m * std::clamp(0.9 * std::pow(left / error.mesh, 1 / order), 0.6, 0.8);
 }
 
 }  // namespace
@@ -72,7 +78,8 @@ bool study_mesh(const scenes::Room& room, const TransportOptions& transport,
   RoomSolution twice = solved_with(2), four_times = solved_with(4);
   if (twice.radiosity.irradiance.rows() == solution.radiosity.irradiance.rows()) return false;
   const auto h = points_of(solution), h2 = points_of(twice), h4 = points_of(four_times);
-  for (std::size_t k = 0; k < h.size(); ++k) compare(*h[k], *h2[k], *h4[k], extrapolate);
+  for (std::size_t k = 0; k < h.size(); ++k)
+    compare(*h[k], *h2[k], *h4[k], transport.light, extrapolate);
   return true;
 }
 
@@ -106,7 +113,8 @@ ToleranceSolution solve_to_tolerance(const scenes::Room& room, double tolerance,
     best.steps.push_back({transport.patch_m, best.transport.mesh.size(), error});
     best.reached = best.solution.radiosity.converged && error.sum() <= tolerance;
     const double left = tolerance - error.solver;
-    transport.patch_m = next_patch_m(transport.patch_m, error, std::max(left, 0.1 * tolerance));
+    transport.patch_m =
+        next_patch_m(transport.patch_m, transport.light, error, std::max(left, 0.1 * tolerance));
   }
   return best;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "solver/exchange/exchange.h"
+#include "solver/factors/slope_basis.h"
 #include "solver/sensors/gather.h"
 
 namespace solver {
@@ -33,10 +34,18 @@ void ReflectedField::set_slopes(const scenes::PatchMesh& mesh, const std::vector
   const auto own = static_cast<Eigen::Index>(patch);
   const Frame& frame = frames_[patch];
   Eigen::ArrayXd along = Eigen::ArrayXd::Zero(reflected.cols()), across = along;
-  for (const auto& [k, a] : gradient_weights(mesh, facets, patch)) {
-    const Eigen::ArrayXd difference = (reflected.row(k) - reflected.row(own)).transpose();
-    along += frame.along.dot(a) * difference;
-    across += frame.across.dot(a) * difference;
+  const auto add = [&](const Eigen::Vector3d& gradient, const Eigen::ArrayXd& amount) {
+    along += frame.along.dot(gradient) * amount;
+    across += frame.across.dot(gradient) * amount;
+  };
+  if (const Eigen::Index n = mesh.size(); reflected.rows() > n) {
+    const SlopeBasis basis = slope_basis(facets[patch]);
+    add(basis.gradient_per_m[0], reflected.row(n + own).transpose());
+    add(basis.gradient_per_m[1], reflected.row(2 * n + own).transpose());
+  } else {
+    for (const auto& [k, a] : gradient_weights(mesh, facets, patch)) {
+      add(a, (reflected.row(k) - reflected.row(own)).transpose());
+    }
   }
   Eigen::ArrayXd lowest = Eigen::ArrayXd::Zero(reflected.cols());
   for (const Eigen::Vector3d& corner : facets[patch].vertices) {

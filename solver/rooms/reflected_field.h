@@ -12,7 +12,7 @@ namespace solver {
 /// steep where light would fall below 0 in a corner. In float, padded for vector units.
 class ReflectedField {
  public:
-  /// @param reflected  B - S, patch x band
+  /// @param reflected  B - S, row of ExchangeAreas x band
   ReflectedField(const scenes::PatchMesh& mesh, const Bands& reflected);
 
   [[nodiscard]] int padded_bands() const { return padded_; }

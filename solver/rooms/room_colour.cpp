@@ -131,6 +131,7 @@ ColourModel display(std::string_view mode) {
 }
 
 /// The same in every row where nothing crosses over, else matrices.
+/// @param surface  per row
 Reflector reflector_of(const std::vector<Matrix3d>& reflections, const std::vector<int>& surface) {
   for (const Matrix3d& m : reflections) {
     if (!m.isDiagonal(0)) return {reflections, surface};
@@ -143,17 +144,20 @@ Reflector reflector_of(const std::vector<Matrix3d>& reflections, const std::vect
   return Reflector(std::move(numbers));
 }
 
-NegativeLight negative_light(const RadiositySolution& light) {
+/// Of the patches' means; slopes have either sign.
+NegativeLight negative_light(const RadiositySolution& light, int patches) {
   constexpr double kNoise = 1e-6;  // of the brightest: what the solver may leave
   NegativeLight negative;
-  const double brightest = std::max(light.irradiance.maxCoeff(), light.radiosity.maxCoeff());
+  const Bands irradiance = light.irradiance.topRows(patches);
+  const Bands radiosity = light.radiosity.topRows(patches);
+  const double brightest = std::max(irradiance.maxCoeff(), radiosity.maxCoeff());
   const auto count = [&](const Bands& b) {
     return static_cast<int>((b < -kNoise * brightest).rowwise().any().count());
   };
-  negative.irradiance = count(light.irradiance);
-  negative.radiosity = count(light.radiosity);
+  negative.irradiance = count(irradiance);
+  negative.radiosity = count(radiosity);
   if (negative.irradiance + negative.radiosity > 0) {
-    negative.lowest = std::min(light.irradiance.minCoeff(), light.radiosity.minCoeff()) / brightest;
+    negative.lowest = std::min(irradiance.minCoeff(), radiosity.minCoeff()) / brightest;
   }
   return negative;
 }
@@ -187,18 +191,21 @@ ColourSolution solve_room_colour(const scenes::Room& room, const RoomTransport& 
     light.reflectances.push_back(surface.reflectance);
     solution.reflections.push_back(model.reflection(surface.reflectance));
   }
-  light.radiosity =
-      solve_radiosity(transport.exchange, emission, direct,
-                      reflector_of(solution.reflections, transport.mesh.surface), options);
+  std::vector<int> surface;  // of each row
+  for (int mode = 0; mode < transport.exchange.modes; ++mode) {
+    surface.insert(surface.end(), transport.mesh.surface.begin(), transport.mesh.surface.end());
+  }
+  light.radiosity = solve_radiosity(transport.exchange, emission, direct,
+                                    reflector_of(solution.reflections, surface), options);
   const auto read = [&](const ReceiverRow& row) {
     return read_light(row.gather, to_rgb * row.direct.front().matrix(), light.radiosity);
   };
   for (const ReceiverRow& row : transport.receivers) light.receivers.push_back(read(row));
   for (const ViewedWall& wall : transport.viewed) light.viewed.push_back(read(wall.row));
   const Bands reflected = light.radiosity.radiosity - emission;
-  light.energy = energy_balance(transport.exchange.area_m2, emission + direct,
-                                light.radiosity.irradiance - reflected);
-  solution.negative = negative_light(light.radiosity);
+  light.energy = energy_balance(transport.exchange.area_m2.head(transport.mesh.size()),
+                                emission + direct, light.radiosity.irradiance - reflected);
+  solution.negative = negative_light(light.radiosity, transport.mesh.size());
   return solution;
 }
 

@@ -31,20 +31,20 @@ std::vector<Spectrum> surface_reflectances(const scenes::Room& room,
 ArrayXd white_of_surfaces(const scenes::Room& room, const RoomTransport& t,
                           const RoomSolution& solution, const ViewedWall& wall) {
   Eigen::VectorXd weight = wall.view.near_axis.weights;
-  for (int p = 0; p < t.mesh.size(); ++p) {
-    const int s = t.mesh.surface[static_cast<std::size_t>(p)];
+  for (Eigen::Index row = 0; row < weight.size(); ++row) {
+    const int s = t.mesh.surface[static_cast<std::size_t>(row % t.mesh.size())];
     const Spectrum& reflectance = solution.reflectances[static_cast<std::size_t>(s)];
-    if (!(reflectance.values >= kNearWhite).all()) weight[p] = 0;
+    if (!(reflectance.values >= kNearWhite).all()) weight[row] = 0;
   }
-  if (!(weight.sum() > 0)) {
+  const double share = weight.head(t.mesh.size()).sum();
+  if (!(share > 0)) {
     throw spectra::InputError(
         {{.file = room.name,
           .pointer = "/view/white",
           .problem = fmt::format("no surface in view reflects {} in every band", kNearWhite),
           .remedy = "take \"white\": \"ideal\""}});
   }
-  return (weight.transpose() * solution.radiosity.irradiance.matrix()).transpose().array() /
-         weight.sum();
+  return (weight.transpose() * solution.radiosity.irradiance.matrix()).transpose().array() / share;
 }
 
 }  // namespace
@@ -65,7 +65,9 @@ ReceiverLight read_light(const GatherRow& row, const ArrayXd& direct,
 
 EnergyBalance energy_balance(const ArrayXd& area_m2, const Bands& sources, const Bands& absorbed) {
   const auto flux = [&](const Bands& density) -> ArrayXd {
-    return (area_m2.matrix().transpose() * density.matrix()).transpose().array();
+    return (area_m2.matrix().transpose() * density.topRows(area_m2.size()).matrix())
+        .transpose()
+        .array();
   };
   EnergyBalance energy{.emitted = flux(sources), .absorbed = flux(absorbed)};
   const double emitted = energy.emitted.sum();
@@ -86,10 +88,10 @@ RoomSolution solve_room(const scenes::Room& room, const RoomTransport& transport
     }
   }
   const std::vector<Spectrum> reflectances = surface_reflectances(room, state.paints);
-  Bands reflectance(transport.mesh.size(), room.grid.count);
-  for (int p = 0; p < transport.mesh.size(); ++p) {
-    const int s = transport.mesh.surface[static_cast<std::size_t>(p)];
-    reflectance.row(p) = reflectances[static_cast<std::size_t>(s)].values.transpose();
+  Bands reflectance(transport.exchange.rows(), room.grid.count);
+  for (int row = 0; row < transport.exchange.rows(); ++row) {
+    const int s = transport.mesh.surface[static_cast<std::size_t>(row % transport.mesh.size())];
+    reflectance.row(row) = reflectances[static_cast<std::size_t>(s)].values.transpose();
   }
   const Lighting& light = transport.lightings.at(state.lighting);
   RoomSolution solution{.radiosity = solve_radiosity(transport.exchange, light.emission,
@@ -104,7 +106,8 @@ RoomSolution solve_room(const scenes::Room& room, const RoomTransport& transport
   }
   solution.reflectances = reflectances;
   solution.lighting = state.lighting;
-  solution.energy = energy_balance(transport.exchange.area_m2, light.emission + light.direct,
+  solution.energy = energy_balance(transport.exchange.area_m2.head(transport.mesh.size()),
+                                   light.emission + light.direct,
                                    (1 - reflectance) * solution.radiosity.irradiance);
   return solution;
 }

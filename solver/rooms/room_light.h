@@ -35,6 +35,7 @@ struct RoomSolution {
 [[nodiscard]] ReceiverLight read_light(const GatherRow& row, const Eigen::ArrayXd& direct,
                                        const RadiositySolution& solution);
 
+/// @param area_m2   per patch; of the light, only the patches' means count
 /// @param sources   S + D
 /// @param absorbed  H - R H
 [[nodiscard]] EnergyBalance energy_balance(const Eigen::ArrayXd& area_m2, const Bands& sources,

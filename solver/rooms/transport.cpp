@@ -48,8 +48,9 @@ std::vector<bool> lamp_patches(const scenes::Room& room, const scenes::PatchMesh
   return lamp;
 }
 
-Bands emission_of(const scenes::Room& room, const scenes::PatchMesh& mesh) {
-  Bands emission(mesh.size(), room.grid.count);
+/// Lamps have no slopes: what shines is even on a patch.
+Bands emission_of(const scenes::Room& room, const scenes::PatchMesh& mesh, int modes) {
+  Bands emission = Bands::Zero(Eigen::Index{modes} * mesh.size(), room.grid.count);
   for (int p = 0; p < mesh.size(); ++p) {
     emission.row(p) = surface_of(room, mesh, p).exitance.values.transpose();
   }
@@ -98,9 +99,10 @@ std::vector<scenes::Room> relit_rooms(const scenes::Room& room) {
 }
 
 Lighting lighting_of(const scenes::Room& lit, const DirectSources& sources,
-                     const scenes::PatchMesh& mesh, const std::vector<Facet>& facets) {
-  DirectLight direct = sources.on_patches(mesh, facets);
-  return {.emission = emission_of(lit, mesh),
+                     const scenes::PatchMesh& mesh, const std::vector<Facet>& facets,
+                     const std::vector<SlopeBasis>& bases) {
+  DirectLight direct = sources.on_patches(mesh, facets, bases);
+  return {.emission = emission_of(lit, mesh, bases.empty() ? 1 : SlopeBasis::kModes),
           .direct = std::move(direct.irradiance),
           .direct_scaling = direct.largest_scaling()};
 }
@@ -222,9 +224,16 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   t.seconds["plan"] = watch.lap();
 
   const std::vector<bool> lamp = lamp_patches(room, t.mesh);
-  t.exchange = compute_exchange(
-      t.mesh, visibility,
-      {.lamp = lamp, .rays = options.rays, .lamp_rays = options.lamp_rays, .skip = options.skip});
+  const std::vector<Facet> facets = facets_of(t.mesh);
+  const auto slopes =
+      options.light == Light::linear ? std::make_optional<SlopeMoments>(facets) : std::nullopt;
+  const std::vector<SlopeBasis> bases = slopes ? slopes->bases() : std::vector<SlopeBasis>();
+  t.exchange = compute_exchange(t.mesh, visibility,
+                                {.lamp = lamp,
+                                 .rays = options.rays,
+                                 .lamp_rays = options.lamp_rays,
+                                 .skip = options.skip,
+                                 .slopes = slopes ? &*slopes : nullptr});
   t.closure_defect = t.exchange.closure_defect;
   t.reciprocity_defect = t.exchange.reciprocity_defect;
   t.largest_scaling = t.exchange.largest_scaling;
@@ -234,16 +243,15 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
   }
   t.seconds["exchange"] = watch.lap();
 
-  const std::vector<Facet> facets = facets_of(t.mesh);
   std::vector<DirectSources> sources;
   for (const scenes::Room& lit : relit_rooms(room)) {
     sources.emplace_back(lit, visibility);
-    t.lightings.push_back(lighting_of(lit, sources.back(), t.mesh, facets));
+    t.lightings.push_back(lighting_of(lit, sources.back(), t.mesh, facets, bases));
   }
   for (std::size_t s = 0; s < room.scenarios.size(); ++s) {
     t.lightings[s + 1].name = room.scenarios[s].name;
   }
-  const PointGather gather(t.mesh, facets, visibility);
+  const PointGather gather(t.mesh, facets, visibility, slopes ? &*slopes : nullptr);
   const auto row = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     ReceiverRow r{.gather = gather.row(point, normal)};
     for (const DirectSources& s : sources) r.direct.push_back(s.at_point(point, normal));
@@ -258,7 +266,7 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
     t.viewed.push_back(
         {.at = at,
          .row = row(at.point_m, at.normal),
-         .view = options.eye ? view_rows(at.eye_m, at.point_m, t.mesh) : ViewRows{}});
+         .view = options.eye ? view_rows(at.eye_m, at.point_m, t.mesh, bases) : ViewRows{}});
   }
   t.seconds["gather"] = watch.lap();
   return t;

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Follows `rays` directions between two cones around the axis, and calls add(patch, cosine, solid
+/// Follows `rays` directions between two cones around the axis, and calls add(hit, cosine, solid
 /// angle / 2 pi) for each; plastic-number sequence in (cosine, azimuth), so each ray stands for the
 /// same solid angle.
 template <typename Function>
@@ -34,12 +34,13 @@ void add_directions(const PatchRays& patch_rays, const Vector3d& eye, const Vect
     const Vector3d direction =
         cosine * axis + sine * (std::cos(azimuth) * u + std::sin(azimuth) * v);
     const RayHit hit = patch_rays.first_hit(eye, direction);
-    if (hit.patch >= 0) add(hit.patch, cosine, (inner - outer) / rays);
+    if (hit.patch >= 0) add(hit, cosine, (inner - outer) / rays);
   }
 }
 
 GatherRow seen(VectorXd sum, const std::vector<double>& area_m2) {
-  if (!(sum.sum() > 0)) throw std::invalid_argument("the eye sees no surface; is it in the room?");
+  if (!(sum.head(static_cast<Eigen::Index>(area_m2.size())).sum() > 0))
+    throw std::invalid_argument("the eye sees no surface; is it in the room?");
   return closed_row(std::move(sum), area_m2);
 }
 
@@ -100,16 +101,26 @@ std::optional<ViewedPoint> free_point(const scenes::PatchMesh& mesh, int surface
 
 }  // namespace
 
-ViewRows view_rows(const Vector3d& eye_m, const Vector3d& look_at_m,
-                   const scenes::PatchMesh& mesh) {
+ViewRows view_rows(const Vector3d& eye_m, const Vector3d& look_at_m, const scenes::PatchMesh& mesh,
+                   const std::vector<SlopeBasis>& bases) {
   const PatchRays rays(mesh);
   const Vector3d axis = (look_at_m - eye_m).normalized();
   constexpr int kCentreRays = 64;
-  VectorXd background = VectorXd::Zero(mesh.size()), field = background, near_axis = background;
-  const auto add_to = [&near_axis](VectorXd* sum) {
-    return [&near_axis, sum](int patch, double cosine, double solid_angle) {
-      if (sum != nullptr) (*sum)[patch] += solid_angle;
-      near_axis[patch] += cosine * solid_angle;
+  const int n = mesh.size(), modes = bases.empty() ? 1 : SlopeBasis::kModes;
+  VectorXd background = VectorXd::Zero(Eigen::Index{modes} * n), field = background,
+           near_axis = background;
+  const auto add = [&](const RayHit& hit, double weight, VectorXd& sum) {
+    sum[hit.patch] += weight;
+    if (bases.empty()) return;
+    const auto patch = static_cast<std::size_t>(hit.patch);
+    const Eigen::Vector2d psi = bases[patch].at(hit.point_m - mesh.centre[patch]);
+    sum[n + hit.patch] += weight * psi[0];
+    sum[2 * n + hit.patch] += weight * psi[1];
+  };
+  const auto add_to = [&](VectorXd* sum) {
+    return [&, sum](const RayHit& hit, double cosine, double solid_angle) {
+      if (sum != nullptr) add(hit, solid_angle, *sum);
+      add(hit, cosine * solid_angle, near_axis);
     };
   };
   add_directions(rays, eye_m, axis, 0, 1, kCentreRays, add_to(nullptr));

@@ -3,6 +3,7 @@
 
 #include "scenes/mesh/patch_mesh.h"
 #include "scenes/room.h"
+#include "solver/factors/slope_basis.h"
 #include "solver/sensors/gather.h"
 
 namespace solver {
@@ -18,8 +19,10 @@ struct ViewRows {
 inline constexpr int kBackgroundRays = 4096;
 inline constexpr int kFieldRays = 16384;
 
+/// @param bases  of the mesh's patches where light is linear on them; else empty
 [[nodiscard]] ViewRows view_rows(const Eigen::Vector3d& eye_m, const Eigen::Vector3d& look_at_m,
-                                 const scenes::PatchMesh& mesh);
+                                 const scenes::PatchMesh& mesh,
+                                 const std::vector<SlopeBasis>& bases = {});
 
 /// The point that is looked at, from where, and the surface it lies on.
 struct ViewedPoint {

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "solver/factors/pair_factor.h"
 
@@ -13,25 +14,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Polygon = std::vector<Vector3d>;
-
-/// A convex polygon as a fan of quadrilaterals, each cut into 4 x 4.
-std::vector<Polygon> parts_of(const Polygon& v) {
-  constexpr int kParts = 4;
-  std::vector<Polygon> all;
-  for (std::size_t i = 1; i + 1 < v.size(); i += 2) {
-    const Vector3d &a = v[0], &b = v[i], &c = v[i + 1], &d = i + 2 < v.size() ? v[i + 2] : a;
-    const auto at = [&](int s, int t) -> Vector3d {
-      const double u = static_cast<double>(s) / kParts, w = static_cast<double>(t) / kParts;
-      return (1 - w) * ((1 - u) * a + u * b) + w * ((1 - u) * d + u * c);
-    };
-    for (int s = 0; s < kParts; ++s) {
-      for (int t = 0; t < kParts; ++t) {
-        all.push_back({at(s, t), at(s + 1, t), at(s + 1, t + 1), at(s, t + 1)});
-      }
-    }
-  }
-  return all;
-}
 
 /// A common vertex: nothing can stand between them.
 bool touch(const Facet& a, const Facet& b) {
@@ -62,19 +44,28 @@ Vector3d off_the_edge(const Vector3d& point, const Vector3d& normal,
   return moved - std::min(0.0, normal.dot(moved - point)) * normal;  // not behind its own surface
 }
 
-Vector3d middle_of(const Polygon& part) {
-  Vector3d sum = Vector3d::Zero();
-  for (const Vector3d& v : part) sum += v;
-  return sum / static_cast<double>(part.size());
+/// psi_1, psi_2 over what four Gauss points see of a patch in full view, whose kernel hardly bends.
+Eigen::Vector2d far_slopes(const Vector3d& point, const Vector3d& normal, const Facet& facet,
+                           const SlopeBasis& basis) {
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+  for (const QuadraturePoint& q : quadrature(facet.vertices, 2)) {
+    const Vector3d r = q.position - point;
+    const double r2 = r.squaredNorm();
+    const double kernel = std::max(0.0, normal.dot(r)) * -facet.normal.dot(r) / (r2 * r2);
+    moment += q.weight_m2 * kernel / std::numbers::pi * basis.at(q.position - facet.centre);
+  }
+  return moment;
 }
 
 }  // namespace
 
 GatherRow closed_row(VectorXd weights, const std::vector<double>& area_m2) {
-  const double sum = weights.sum();
+  const Eigen::Map<const Eigen::ArrayXd> area(area_m2.data(),
+                                              static_cast<Eigen::Index>(area_m2.size()));
+  const double sum = weights.head(area.size()).sum();
   if (sum > 0) weights /= sum;
-  const Eigen::Map<const Eigen::ArrayXd> area(area_m2.data(), weights.size());
-  const double norm = std::sqrt((weights.array().square() / area).sum());
+  const Eigen::Index modes = weights.size() / area.size();
+  const double norm = std::sqrt((weights.array().square() / area.replicate(modes, 1)).sum());
   return {.weights = std::move(weights), .norm = norm, .closure_defect = std::abs(sum - 1)};
 }
 
@@ -105,15 +96,17 @@ GradientWeights gradient_weights(const scenes::PatchMesh& mesh, const std::vecto
 }
 
 PointGather::PointGather(const scenes::PatchMesh& mesh, const std::vector<Facet>& facets,
-                         const Visibility& visibility)
+                         const Visibility& visibility, const SlopeMoments* slopes)
     : mesh_(mesh),
       facets_(facets),
       visibility_(visibility),
+      slopes_(slopes),
       gradients_(facets.size()),
       gradient_known_(facets.size()) {
   std::vector<Vector3d> middles;
   for (const Facet& f : facets) {
     patches_.add(f.vertices);
+    if (slopes != nullptr) continue;  // has the parts
     first_part_.push_back(parts_.size());
     for (const Polygon& part : parts_of(f.vertices)) {
       parts_.add(part);
@@ -195,9 +188,40 @@ void PointGather::add_gradient(std::size_t patch, const Vector3d& moment, Vector
   weights[at] -= part * own;
 }
 
+VectorXd PointGather::with_slopes(const Vector3d& point, const Vector3d& normal,
+                                  const Seen& seen) const {
+  constexpr double kNear = 4;  // in patch sizes
+  const auto n = static_cast<Eigen::Index>(facets_.size());
+  VectorXd weights = VectorXd::Zero(SlopeBasis::kModes * n);
+  weights.head(n) = seen.factors;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    if (seen.factors[j] <= 0) continue;
+    const auto patch = static_cast<std::size_t>(j);
+    const Facet& facet = facets_[patch];
+    const SlopeBasis& basis = slopes_->bases()[patch];
+    Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+    if (const auto in_part = seen.in_part.find(patch); in_part != seen.in_part.end()) {
+      for (const Polygon& lit : in_part->second) {
+        for (const Polygon& part : parts_of(lit)) {
+          moment +=
+              point_to_polygon(point, normal, part) * basis.at(middle_of(part) - facet.centre);
+        }
+      }
+    } else if ((facet.centre - point).norm() < kNear * facet.size_m) {
+      moment = slopes_->from_point(point, normal, patch).tail<2>();
+    } else {
+      moment = far_slopes(point, normal, facet, basis);
+    }
+    weights[n + j] = moment[0];
+    weights[2 * n + j] = moment[1];
+  }
+  return weights;
+}
+
 GatherRow PointGather::row(const Vector3d& at_m, const Vector3d& normal) const {
   const Vector3d point = off_the_edge(at_m, normal, mesh_);
   const Seen seen = seen_from(point, normal);
+  if (slopes_ != nullptr) return closed_row(with_slopes(point, normal, seen), mesh_.area_m2);
   VectorXd weights = seen.factors;
   add_gradients(point, normal, seen, weights);
   return closed_row(std::move(weights), mesh_.area_m2);

@@ -45,31 +45,60 @@ std::vector<SunBeam> beams(const scenes::Room& room, const std::vector<Blocker>&
   return all;
 }
 
+/// What a source sends to a patch, of its own measure of flux: in all, and with psi_1 and psi_2.
+using Share = Eigen::Vector3d;
+
 /// Area times cosine of the part of a facet that a beam lights, m^2.
-double lit_area_m2(const Facet& facet, const SunBeam& beam) {
+Share lit_area_m2(const Facet& facet, const SlopeBasis* basis, const SunBeam& beam) {
+  Share share = Share::Zero();
   const double cosine = facet.normal.dot(beam.to_sun);
-  if (cosine <= 1e-12) return 0;
+  if (cosine <= 1e-12) return share;
   std::vector<Vector3d> lit = clip(facet.vertices, beam.opening);
   for (const Plane& side : beam.sides) {
     if (!lit.empty()) lit = clip(lit, side);
   }
-  if (lit.empty()) return 0;
-  double area_m2 = 0;
-  for (std::vector<Vector3d>& part : beam.shadows.lit_parts(lit)) {
-    area_m2 += make_facet(std::move(part)).area_m2;
+  if (lit.empty()) return share;
+  for (std::vector<Vector3d>& vertices : beam.shadows.lit_parts(lit)) {
+    const Facet part = make_facet(std::move(vertices));
+    share[0] += part.area_m2;
+    if (basis != nullptr && part.area_m2 > 0) {
+      share.tail<2>() += part.area_m2 * basis->at(part.centre - facet.centre);
+    }
   }
-  return area_m2 * cosine;
+  return share * cosine;
+}
+
+/// Solid angle of what a lamp lights of a facet, sr.
+Share lit_angle(const Facet& facet, const SlopeBasis* basis, const PointSource& lamp) {
+  Share share = Share::Zero();
+  if (facet.plane().height_m(lamp.at_m) <= 0) return share;
+  for (const auto& part : lamp.shadows.lit_parts(facet.vertices)) {
+    // All parts show their front. A silhouette that nearly lies in an edge leaves slivers as
+    // thin as rounding, of either sign.
+    const double angle = solid_angle(lamp.at_m, part);
+    if (!(angle > 0)) continue;
+    share[0] += angle;
+    if (basis == nullptr) continue;
+    const Vector3d moment = solid_angle_moment(lamp.at_m, part, facet.normal);
+    share.tail<2>() += basis->at(moment + angle * (lamp.at_m - facet.centre));
+  }
+  return share;
 }
 
 /// Adds shares of a source's flux, scaled to sum to `whole`, as irradiance.
-void spread(ArrayXd share, double whole, const ArrayXd& per_band, const std::vector<Facet>& facets,
-            DirectLight& light) {
-  const double sum = share.sum();
+void spread(const std::vector<Share>& shares, double whole, const ArrayXd& per_band,
+            const std::vector<Facet>& facets, DirectLight& light) {
+  const auto n = static_cast<Eigen::Index>(facets.size());
+  const double sum = ArrayXd::NullaryExpr(n, [&](Eigen::Index i) {
+                       return shares[static_cast<std::size_t>(i)][0];
+                     }).sum();
   light.scaling.push_back(sum > 0 ? whole / sum : 1);
-  share *= light.scaling.back();
   for (std::size_t i = 0; i < facets.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    light.irradiance.row(row) += share[row] / facets[i].area_m2 * per_band.transpose();
+    const Share scaled = light.scaling.back() * shares[i];
+    for (Eigen::Index row = static_cast<Eigen::Index>(i), a = 0; row < light.irradiance.rows();
+         row += n, ++a) {
+      light.irradiance.row(row) += scaled[a] / facets[i].area_m2 * per_band.transpose();
+    }
   }
 }
 
@@ -87,6 +116,24 @@ double solid_angle(const Vector3d& point, const std::vector<Vector3d>& polygon) 
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     const Vector3d b = (polygon[k] - point).normalized(), c = (polygon[k + 1] - point).normalized();
     sum -= 2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
+  }
+  return sum;
+}
+
+/// With h the point's height over the plane, (x - foot) h / r^3 = -h grad(1 / r).
+Vector3d solid_angle_moment(const Vector3d& point, const std::vector<Vector3d>& polygon,
+                            const Vector3d& normal) {
+  const double height_m = normal.dot(point - polygon[0]);
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector3d r = polygon[k] - point, edge = polygon[(k + 1) % polygon.size()] - polygon[k];
+    const double length_m = edge.norm();
+    if (!(length_m > 0)) continue;
+    const Vector3d along = edge / length_m;
+    const double from = along.dot(r), distance_m = (r - from * along).norm();
+    const double inverse_r = std::asinh((from + length_m) / distance_m) -
+                             std::asinh(from / distance_m);  // integral of 1 / r along the edge
+    sum -= height_m * inverse_r * along.cross(normal);
   }
   return sum;
 }
@@ -115,31 +162,31 @@ DirectSources DirectSources::scaled(const std::vector<double>& by) const {
 }
 
 DirectLight DirectSources::on_patches(const scenes::PatchMesh& mesh,
-                                      const std::vector<Facet>& facets) const {
+                                      const std::vector<Facet>& facets,
+                                      const std::vector<SlopeBasis>& bases) const {
   const auto n = static_cast<Eigen::Index>(facets.size());
-  DirectLight light{.irradiance = Bands::Zero(n, bands_)};
-  for (const PointSource& lamp : lamps_) {
-    ArrayXd angle = ArrayXd::Zero(n);
+  const int modes = bases.empty() ? 1 : SlopeBasis::kModes;
+  DirectLight light{.irradiance = Bands::Zero(modes * n, bands_)};
+  const auto of_each = [&](const auto& share) {
+    std::vector<Share> shares(facets.size());
     tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
-      if (facets[i].plane().height_m(lamp.at_m) <= 0) return;
-      for (const auto& part : lamp.shadows.lit_parts(facets[i].vertices)) {
-        // All parts show their front. A silhouette that nearly lies in an edge leaves slivers as
-        // thin as rounding, of either sign.
-        angle[static_cast<Eigen::Index>(i)] += std::max(0.0, solid_angle(lamp.at_m, part));
-      }
+      shares[i] = share(facets[i], bases.empty() ? nullptr : &bases[i]);
     });
-    spread(angle, 4 * pi, lamp.intensity, facets, light);
+    return shares;
+  };
+  for (const PointSource& lamp : lamps_) {
+    const auto angles =
+        of_each([&](const Facet& f, const SlopeBasis* basis) { return lit_angle(f, basis, lamp); });
+    spread(angles, 4 * pi, lamp.intensity, facets, light);
   }
   for (const SunBeam& beam : beams_) {
-    ArrayXd lit = ArrayXd::Zero(n);
     double open_area_m2 = 0;  // of the opening's patches: furniture may cover a part
-    tbb::parallel_for(std::size_t{0}, facets.size(), [&](std::size_t i) {
-      lit[static_cast<Eigen::Index>(i)] = lit_area_m2(facets[i], beam);
-    });
     for (std::size_t i = 0; i < facets.size(); ++i) {
       if (mesh.surface[i] == beam.surface) open_area_m2 += facets[i].area_m2;
     }
-    spread(lit, open_area_m2 * -beam.opening.normal.dot(beam.to_sun), beam.normal_irradiance,
+    const auto areas = of_each(
+        [&](const Facet& f, const SlopeBasis* basis) { return lit_area_m2(f, basis, beam); });
+    spread(areas, open_area_m2 * -beam.opening.normal.dot(beam.to_sun), beam.normal_irradiance,
            facets, light);
   }
   return light;

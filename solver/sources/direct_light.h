@@ -5,6 +5,7 @@
 #include "scenes/mesh/patch_mesh.h"
 #include "scenes/room.h"
 #include "solver/bands.h"
+#include "solver/factors/slope_basis.h"
 #include "solver/obstacles/visibility.h"
 
 namespace solver {
@@ -12,9 +13,9 @@ namespace solver {
 /// Light from sources that are no patches, the paper's "first shot" [Neumann2004] 4.2: point lights
 /// and the sun through openings.
 
-/// Area means over the patches, patch x band. Solid angles, lit polygons and shadows are
-/// exact; each source is then scaled, by what rounding leaves, so that all its flux arrives in the
-/// closed room.
+/// Area means over the patches, patch x band, and, where bases are given, below them the means with
+/// psi_1, then with psi_2. Solid angles, lit polygons, their moments, and shadows are exact; each
+/// source is then scaled, by what rounding leaves, so that all its flux arrives in the closed room.
 struct DirectLight {
   Bands irradiance;
   std::vector<double> scaling;  ///< of each point light, then of each sun through each opening
@@ -47,8 +48,10 @@ class DirectSources {
   /// Every source times a number, in the order of DirectLight::scaling.
   [[nodiscard]] DirectSources scaled(const std::vector<double>& by) const;
 
+  /// @param bases  of the facets where light is linear on them; else empty
   [[nodiscard]] DirectLight on_patches(const scenes::PatchMesh& mesh,
-                                       const std::vector<Facet>& facets) const;
+                                       const std::vector<Facet>& facets,
+                                       const std::vector<SlopeBasis>& bases = {}) const;
 
   /// Irradiance per band at a surface element; shadows are sharp.
   [[nodiscard]] Eigen::ArrayXd at_point(const Eigen::Vector3d& point,
@@ -63,6 +66,12 @@ class DirectSources {
 /// Solid angle of a polygon that shows its front to the point, sr [VanOosterom1983].
 [[nodiscard]] double solid_angle(const Eigen::Vector3d& point,
                                  const std::vector<Eigen::Vector3d>& polygon);
+
+/// Integral over a polygon of the vector from the point to x, by solid angle, as far as it lies in
+/// the polygon's plane, m sr: that of the gradient of 1 / r, so a sum over the edges.
+[[nodiscard]] Eigen::Vector3d solid_angle_moment(const Eigen::Vector3d& point,
+                                                 const std::vector<Eigen::Vector3d>& polygon,
+                                                 const Eigen::Vector3d& normal);
 
 /// Unit vector towards the sun; azimuth clockwise from +y seen from above.
 [[nodiscard]] Eigen::Vector3d towards_sun(const scenes::Sun& sun);

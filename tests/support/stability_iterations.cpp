@@ -19,7 +19,7 @@ constexpr double kAskedFor = 1e-8;
 solver::RadiositySolution solve_all(const solver::ExchangeAreas& exchange, const ArrayXd& emission,
                                     solver::Method method, double relative_error) {
   constexpr Index kBands = std::size(kReflectances);
-  Bands reflectance(exchange.patches(), kBands);
+  Bands reflectance(exchange.rows(), kBands);
   for (Index k = 0; k < kBands; ++k) reflectance.col(k).setConstant(kReflectances[k]);
   const Bands source = emission.replicate(1, kBands);
   return solver::solve_radiosity(exchange, source, 0 * source, reflectance,
@@ -55,11 +55,13 @@ Iterations iterate(const StiffRoom& stiff) {
   const auto direct = solve_all(exchange, emission, solver::Method::direct, kAskedFor);
   Iterations result{.patches = exchange.patches(), .with_clusters = counts(solution)};
   result.error = furnace_error(room);
-  const ArrayXd& area = exchange.area_m2;
+  const Index patches = exchange.patches();
+  const ArrayXd area = exchange.area_m2.head(patches);
   for (Index k = 0; k < solution.irradiance.cols(); ++k) {
     const ArrayXd irradiance = solution.irradiance.col(k), exact = direct.irradiance.col(k);
-    const double mean = (area * irradiance).sum() / area.sum();
-    const double expected = (area * emission).sum() / (area.sum() * (1 - kReflectances[k]));
+    const double mean = (area * irradiance.head(patches)).sum() / area.sum();
+    const double expected =
+        (area * emission.head(patches)).sum() / (area.sum() * (1 - kReflectances[k]));
     result.error = std::max({result.error, std::abs(mean / expected - 1),
                              (irradiance - exact).abs().maxCoeff() / mean});
   }

@@ -82,7 +82,7 @@ double furnace_error(scenes::Room room) {
   room.surfaces[0].reflectance.values.setConstant(0.9999);
   room.surfaces[0].exitance.values.setConstant(1 - 0.9999);
   const Solved furnace = solve(room);
-  double worst = (furnace.solution.radiosity.radiosity - 1).abs().maxCoeff();
+  double worst = (furnace.means(furnace.solution.radiosity.radiosity) - 1).abs().maxCoeff();
   for (const solver::ReceiverLight& r : furnace.solution.receivers) {
     worst = std::max(worst, (r.irradiance - 1).abs().maxCoeff());
   }
@@ -90,9 +90,9 @@ double furnace_error(scenes::Room room) {
 }
 
 double mean_light_error(const Solved& solved, double reflectance) {
-  const ArrayXd& area = solved.transport.exchange.area_m2;
+  const ArrayXd area = solved.transport.exchange.area_m2.head(solved.transport.mesh.size());
   const solver::Lighting& light = solved.transport.lightings.front();
-  const double flux = (area * (light.emission + light.direct).col(0)).sum();
+  const double flux = (area * solved.means(light.emission + light.direct).col(0)).sum();
   const double mean = (area * solved.irradiance()).sum() / area.sum();
   return std::abs(mean / (flux / (area.sum() * (1 - reflectance))) - 1);
 }

@@ -35,7 +35,14 @@ struct Solved {
   solver::RoomSolution solution;
 
   /// W m^-2 nm^-1 at 400 nm, per patch.
-  [[nodiscard]] Eigen::ArrayXd irradiance() const { return solution.radiosity.irradiance.col(0); }
+  [[nodiscard]] Eigen::ArrayXd irradiance() const {
+    return means(solution.radiosity.irradiance).col(0);
+  }
+
+  /// The patches' means of a solution, without the slopes.
+  [[nodiscard]] solver::Bands means(const solver::Bands& rows) const {
+    return rows.topRows(transport.mesh.size());
+  }
 
   [[nodiscard]] double at_receiver(std::size_t k) const {
     return solution.receivers[k].irradiance[0];

@@ -78,7 +78,8 @@ TEST(FineLight, LampsInABlackRoomAgreeWithExchangeAreas) {
   scenes::Room room = sample_room("box");
   for (scenes::Surface& s : room.surfaces) s.reflectance.values.setZero();
   const FineLight fine = fine_light_of(room, 1.5, 0.5, {.rays = 8});
-  const RoomSolution full = solve_room(room, prepare_transport(room, {.patch_m = 0.5}));
+  const RoomSolution full =
+      solve_room(room, prepare_transport(room, {.patch_m = 0.5, .light = Light::constant}));
   EXPECT_LT(deviations(fine, full).maxCoeff(), 1e-6);
   EXPECT_LT(fine.largest_standard_error, 1e-12);
 }
@@ -100,9 +101,10 @@ TEST_P(AgainstTheFullSolve, EveryPatchAgreesWithinNoiseAndCoarseness) {
   scenes::Room room = sample_room(name);
   room.receivers.clear();
   const FineLight fine = fine_light_of(room, coarse_m, patch_m, {.rays = 512, .lamp_rays = 256});
+  // The judge: linear light on these patches themselves.
   const RoomSolution full =
-      solve_room(room, prepare_transport(room, {.patch_m = patch_m}), {.relative_error = 1e-6});
-  const ArrayXd deviation = deviations(fine, full);
+      solve_room(room, prepare_transport(room, {.patch_m = patch_m / 2}), {.relative_error = 1e-6});
+  const ArrayXd deviation = deviations(fine, full.radiosity.irradiance.topRows(fine.mesh.size()));
   RecordProperty("rms_deviation", std::to_string(rms(deviation)));
   RecordProperty("max_deviation", std::to_string(deviation.maxCoeff()));
   RecordProperty("rms_standard_error", std::to_string(fine.rms_standard_error));
@@ -146,7 +148,8 @@ TEST(FineLight, FirstShotIsThatOfTheFinePatches) {
     s.exitance.values.setZero();
   }
   const FineLight fine = fine_light_of(room, 1.2, 0.5, {.rays = 8});
-  const RoomSolution full = solve_room(room, prepare_transport(room, {.patch_m = 0.5}));
+  const RoomSolution full =
+      solve_room(room, prepare_transport(room, {.patch_m = 0.5, .light = Light::constant}));
   EXPECT_GT(full.radiosity.irradiance.maxCoeff(), 0);
   EXPECT_LT(deviations(fine, full).maxCoeff(), 1e-12);
 }
@@ -178,19 +181,19 @@ TEST(MakePlan, ManyPatchesAreGatheredFromSomeThousand) {
   const Plan plan = make_plan(room, {.patch_m = 0.02});
   EXPECT_EQ(plan.fine.patch_m, 0.02);
   EXPECT_GT(plan.fine.patches, 100'000);
-  EXPECT_GT(plan.patches, 3000);
-  EXPECT_LT(plan.patches, 10'000);
+  EXPECT_GT(plan.patches, 1000);
+  EXPECT_LT(plan.patches, 3000);
   EXPECT_GT(plan.patch_m, 0.1);
   const Plan whole = make_plan(room, {.patch_m = 0.25});
   EXPECT_EQ(whole.fine.patch_m, 0);
   EXPECT_EQ(whole.patch_m, 0.25);
 }
 
-// 25,000 patches want more than a gigabyte; where there is less, coarser ones are solved.
+// 20,000 unknowns want more than a gigabyte; where there is less, coarser ones are solved.
 TEST(MakePlan, WhatDoesNotFitInMemoryIsSolvedCoarsely) {
   const scenes::Room room = sample_room("office");
-  const Plan plan = make_plan(room, {.patch_m = 0.07, .memory_limit_bytes = 900'000'000});
-  EXPECT_EQ(plan.fine.patch_m, 0.07);
+  const Plan plan = make_plan(room, {.patch_m = 0.06, .memory_limit_bytes = 900'000'000});
+  EXPECT_EQ(plan.fine.patch_m, 0.06);
   EXPECT_LE(plan.memory_bytes, 900'000'000);
   // and where not even their light fits, the patch size that would is named
   EXPECT_THROW((void)make_plan(room, {.patch_m = 0.005, .memory_limit_bytes = 900'000'000}),

@@ -42,7 +42,7 @@ double largest_error(const scenes::Room& room, const RoomSolution& solution,
 // %.
 TEST(BoxAgainstPathTracing, SalmonWallsWithinOnePerMille) {
   const scenes::Room room = sample_room("box");
-  EXPECT_LT(largest_error(room, solve_room(room, prepare_transport(room)), salmon_box(room)), 1e-3);
+  EXPECT_LT(largest_error(room, solve_room(room, prepare_transport(room)), salmon_box(room)), 7e-4);
 }
 
 class UniformBox : public testing::TestWithParam<std::pair<double, double>> {};
@@ -108,8 +108,11 @@ TEST_P(EverySampleRoom, WhiteFurnaceWithRandomReflectances) {
   }
   room.surfaces[0].reflectance.values.setConstant(0.9999);
   room.surfaces[0].exitance.values.setConstant(3 * 0.0001);
-  const RoomSolution solution = solve_room(room, prepare_transport(room), {.relative_error = 1e-8});
-  EXPECT_LT((solution.radiosity.radiosity / 3 - 1).abs().maxCoeff(), 1e-6);
+  const RoomTransport t = prepare_transport(room);
+  const RoomSolution solution = solve_room(room, t, {.relative_error = 1e-8});
+  const Bands& radiosity = solution.radiosity.radiosity;  // means, then slopes
+  EXPECT_LT((radiosity.topRows(t.mesh.size()) / 3 - 1).abs().maxCoeff(), 1e-6);
+  EXPECT_LT((radiosity.bottomRows(t.exchange.rows() - t.mesh.size()) / 3).abs().maxCoeff(), 1e-6);
   for (const ReceiverLight& r : solution.receivers) {
     EXPECT_LT((r.irradiance / 3 - 1).abs().maxCoeff(), 1e-6);
   }
@@ -135,10 +138,10 @@ TEST_P(EverySampleRoom, UniformReflectanceFixesTheMeanIrradiance) {
   room.patch_m = 0.5;
   const RoomTransport t = prepare_transport(room);
   const RoomSolution solution = solve_room(room, t, {.relative_error = 1e-9});
-  const ArrayXd& area = t.exchange.area_m2;
+  const ArrayXd area = t.exchange.area_m2.head(t.mesh.size());
+  const Bands irradiance = solution.radiosity.irradiance.topRows(t.mesh.size());
   const ArrayXd mean =
-      (area.matrix().transpose() * solution.radiosity.irradiance.matrix()).transpose().array() /
-      area.sum();
+      (area.matrix().transpose() * irradiance.matrix()).transpose().array() / area.sum();
   const ArrayXd expected = solution.energy.emitted / (area.sum() * (1 - 0.8));
   EXPECT_LT((mean / expected - 1).abs().maxCoeff(), 1e-8);
 }

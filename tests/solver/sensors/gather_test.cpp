@@ -108,5 +108,37 @@ TEST(Gather, PointsOnEdgesSeeAllOfTheRoom) {
   }
 }
 
+// Light that is linear on every surface of a box, 1 + x + y + z: a gather with slopes is the
+// integral over the surfaces, to what parts of a patch leave of the kernel's bend.
+TEST(PointGather, ReadsLinearLightAsItsIntegral) {
+  const scenes::Room room = sample_room("box");
+  const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.8);
+  const std::vector<Facet> facets = facets_of(mesh);
+  const SlopeMoments slopes(facets);
+  const Visibility visibility(room, mesh);
+  const PointGather gather(mesh, facets, visibility, &slopes);
+  const Vector3d slope(1, 1, 1);
+  const Eigen::Index n = mesh.size();
+  Eigen::VectorXd light(3 * n);
+  for (Eigen::Index p = 0; p < n; ++p) {
+    const auto i = static_cast<std::size_t>(p);
+    light[p] = 1 + slope.dot(facets[i].centre);
+    for (Eigen::Index a = 0; a < 2; ++a) {  // <psi_a, light> / A, in the plane
+      const Vector3d& g = slopes.bases()[i].gradient_per_m[static_cast<std::size_t>(a)];
+      light[(a + 1) * n + p] = g.norm() > 0 ? slope.dot(g) / g.squaredNorm() : 0;
+    }
+  }
+  const scenes::PatchMesh fine = scenes::mesh_room(room, 0.05);
+  for (const auto& [at, normal] : {std::pair(Vector3d(2.5, 2, 0), Vector3d(0, 0, 1)),
+                                   std::pair(Vector3d(1.3, 4, 0.9), Vector3d(0, -1, 0)),
+                                   std::pair(Vector3d(0.4, 0.6, 1.1), Vector3d(0.6, 0, 0.8))}) {
+    double exact = 0;
+    for (std::size_t j = 0; j < fine.polygon.size(); ++j) {
+      exact += point_to_polygon(at, normal, fine.polygon[j]) * (1 + slope.dot(fine.centre[j]));
+    }
+    EXPECT_NEAR(gather.row(at, normal).weights.dot(light), exact, 2e-4 * exact);
+  }
+}
+
 }  // namespace
 }  // namespace solver

@@ -97,5 +97,52 @@ TEST(DirectLight, RandomStacksThatAreHardlyTurnedGetLightOfZeroOrMore) {
   }
 }
 
+// Over a polygon cut into parts, and far off its foot.
+TEST(SolidAngleMoment, IsTheSumOverSmallParts) {
+  const Vector3d lamp(0.3, -0.4, 0.7), normal(0, 0, 1);
+  const std::vector<Vector3d> whole{{0, 0, 0}, {1.2, 0.1, 0}, {0.9, 1, 0}, {-0.2, 0.8, 0}};
+  Vector3d sum = Vector3d::Zero();
+  for (const auto& part : parts_of(whole)) {
+    for (const auto& small : parts_of(part)) {
+      for (const QuadraturePoint& q : quadrature(small, 3)) {
+        const Vector3d r = q.position - lamp;
+        sum += q.weight_m2 * -normal.dot(r) / std::pow(r.norm(), 3) * r;
+      }
+    }
+  }
+  const Vector3d moment = solid_angle_moment(lamp, whole, normal);
+  EXPECT_LT((moment - sum).head<2>().norm(), 1e-9);
+}
+
+// Means with psi_1 and psi_2 of what falls on a patch, against points; shadows and all.
+TEST(DirectLight, SlopesAreMomentsOfTheLightAtPoints) {
+  scenes::Room room = room_with_box(20, 0, {1.1, 1.3, 2.1});
+  const scenes::PatchMesh mesh = scenes::mesh_room(room, 0.8);
+  const std::vector<Facet> facets = facets_of(mesh);
+  const std::vector<SlopeBasis> bases = slope_bases(facets);
+  const Visibility visibility(room, mesh);
+  const DirectSources sources(room, visibility);
+  const DirectLight light = sources.on_patches(mesh, facets, bases);
+  const Eigen::Index n = mesh.size();
+  ASSERT_EQ(light.irradiance.rows(), 3 * n);
+  const double brightest = light.irradiance.topRows(n).maxCoeff();
+  for (Eigen::Index p = 0; p < n; p += 3) {
+    const auto i = static_cast<std::size_t>(p);
+    Vector3d moments = Vector3d::Zero();
+    constexpr int kSteps = 60;  // shadow edges cost a hundredth
+    for (int s = 0; s < kSteps; ++s) {
+      for (int t = 0; t < kSteps; ++t) {
+        const Vector3d at = area_point(facets[i], (s + 0.5) / kSteps, (t + 0.5) / kSteps);
+        Vector3d psi;
+        psi << 1, bases[i].at(at - facets[i].centre);
+        moments += sources.at_point(at, mesh.normal[i])[0] / (kSteps * kSteps) * psi;
+      }
+    }
+    for (int a = 0; a < 3; ++a) {
+      EXPECT_NEAR(light.irradiance(a * n + p, 0), moments[a], 0.01 * brightest) << p << " " << a;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace solver
