@@ -73,14 +73,20 @@ SurroundOf<T> surround(spectra::Surround choice, const T& adapting, const T& whi
 }
 
 template <typename T>
+T background_of(const Sums<T>& s, const T& relative, const ViewingChoices& choices) {
+  if (choices.background == spectra::Background::fixed) return T(choices.background_y);
+  const bool ring = choices.background == spectra::Background::ring;
+  return (ring ? s[background_y] : s[sample_y]) * relative;
+}
+
+template <typename T>
 steps::Adapted<T> adapted(const Sums<T>& s, const T& relative, const ViewingChoices& choices) {
   const T adapting = s[field_y] / std::numbers::pi, white = s[white_y] / std::numbers::pi;
   const auto around = surround<T>(choices.surround, adapting, white);
-  const bool ring = choices.background == spectra::Background::ring;
   return steps::adapted<T>(
       {.white = Vector3<T>(s[white_x] * relative, T(100), s[white_z] * relative),
        .adapting_luminance_cd_m2 = adapting,
-       .background_y = (ring ? s[background_y] : s[sample_y]) * relative,
+       .background_y = background_of(s, relative, choices),
        .f = around.f,
        .c = around.c,
        .n_c = around.n_c});
@@ -92,16 +98,20 @@ struct Jab {
 };
 
 template <typename T>
-Jab<T> jab_from(const Sums<T>& s, const ViewingChoices& choices, double off_neutral) {
+Jab<T> jab_from(Sums<T> s, const Adopted& adopted, double off_neutral) {
+  s[white_x] = adopted.white.x(s[white_x], s[white_y]);
+  s[white_z] = adopted.white.z(s[white_z], s[white_y]);
   const T relative = 100 / s[white_y];
   Vector3<T> sample(s[sample_x] * relative, s[sample_y] * relative, s[sample_z] * relative);
   const double scale = off_neutral * value(relative);
   sample[0] += scale * value(s[white_x]);
   sample[1] += scale * value(s[white_y]);
   sample[2] += scale * 0.99 * value(s[white_z]);
-  const auto seen = steps::seen<T>(sample, adapted<T>(s, relative, choices));
-  const T chroma = seen.alpha * seen.root_j;
-  return {.j = 100 * seen.root_j * seen.root_j,
+  const auto seen = steps::seen<T>(sample, adapted<T>(s, relative, adopted.choices));
+  const T chroma = adopted.size.chroma * seen.alpha * seen.root_j;
+  const T j = 100 * seen.root_j * seen.root_j;
+  const bool resized = !adopted.size.none() && seen.has_lightness();
+  return {.j = resized ? T(j + (1 - adopted.size.lightness) * (100 - j)) : j,
           .a_c = chroma * seen.hue.cos_h,
           .b_c = chroma * seen.hue.sin_h};
 }
@@ -119,17 +129,17 @@ ViewedSums viewed_sums(const spectra::ViewedLight& light) {
   return band_terms(light).rowwise().sum();
 }
 
-Eigen::Vector3d jab_of(const ViewedSums& sums, const ViewingChoices& choices) {
+Eigen::Vector3d jab_of(const ViewedSums& sums, const Adopted& adopted) {
   const auto [j, a_c, b_c] =
-      jab_from<double>(each<double>([&](int i) { return sums[i]; }), choices, 0);
+      jab_from<double>(each<double>([&](int i) { return sums[i]; }), adopted, 0);
   return {j, a_c, b_c};
 }
 
-JabOfSums jab_slope(const ViewedSums& sums, const ViewingChoices& choices) {
-  JabOfSums slope{.jab = jab_of(sums, choices), .by_sum = {}};
+JabOfSums jab_slope(const ViewedSums& sums, const Adopted& adopted) {
+  JabOfSums slope{.jab = jab_of(sums, adopted), .by_sum = {}};
   const bool neutral = slope.jab[1] == 0 && slope.jab[2] == 0;
   const auto [j, a_c, b_c] =
-      jab_from<Dual>(each<Dual>([&](int i) { return Dual(sums[i], kViewedSums, i); }), choices,
+      jab_from<Dual>(each<Dual>([&](int i) { return Dual(sums[i], kViewedSums, i); }), adopted,
                      neutral ? kOffNeutral : 0);
   slope.by_sum << j.derivatives().transpose(), a_c.derivatives().transpose(),
       b_c.derivatives().transpose();
@@ -138,8 +148,8 @@ JabOfSums jab_slope(const ViewedSums& sums, const ViewingChoices& choices) {
 
 JabSlope jab_slope(const spectra::ViewedLightSlope& light, const ViewingChoices& choices) {
   const RoomView view = view_of_room(light.light, choices);
-  const Correlates k = ciecam02_forward(view.sample, adapt(view.conditions));
-  const JabOfSums slope = jab_slope(viewed_sums(light.light), choices);
+  const Correlates k = seen(view);
+  const JabOfSums slope = jab_slope(viewed_sums(light.light), adopted(light.light, choices));
   return {.status = k.status,
           .jab = {k.lightness, k.a_c, k.b_c},
           .by_reflectance = slope.by_sum * band_terms(light.by_reflectance)};

@@ -46,6 +46,10 @@ void require_light(double luminance, const char* where) {
   }
 }
 
+double angle_deg(const spectra::ViewedLight& light, const spectra::ViewingChoices& choices) {
+  return choices.angle_deg > 0 ? choices.angle_deg : light.angle_deg;
+}
+
 const spectra::Spectrum& swatch_light() {
   static const spectra::Spectrum d65 =
       spectra::light_on(spectra::kTransportGrid, spectra::illuminant("D65"));
@@ -112,11 +116,25 @@ std::string to_string(Surround choice) {
 }
 
 std::string to_string(spectra::Background choice) {
+  if (choice == spectra::Background::fixed) return "fixed";
   return choice == spectra::Background::ring ? "ring" : "sample";
 }
 
 std::string to_string(spectra::ReferenceWhite choice) {
   return choice == spectra::ReferenceWhite::ideal ? "ideal" : "surfaces";
+}
+
+Adopted adopted(const spectra::ViewedLight& light, const spectra::ViewingChoices& choices) {
+  Adopted adopted{.choices = choices, .white = {}, .size = {}};
+  if (choices.white_share != 1) {
+    const spectra::Xyz lamps =
+        light.lamps.values.size() == 0 ? spectra::Xyz{} : spectra::absolute_xyz(light.lamps);
+    require_light(lamps.y, "lamps");
+    adopted.white = {
+        .share = choices.white_share, .lamps_x = lamps.x / lamps.y, .lamps_z = lamps.z / lamps.y};
+  }
+  if (choices.size_effect) adopted.size = size_effect(angle_deg(light, choices));
+  return adopted;
 }
 
 RoomView view_of_room(const spectra::ViewedLight& light, const spectra::ViewingChoices& choices) {
@@ -131,18 +149,28 @@ RoomView view_of_room(const spectra::ViewedLight& light, const spectra::ViewingC
   RoomView view{.sample = relative(light.sample),
                 .white_luminance_cd_m2 = white.y / std::numbers::pi,
                 .illuminance_lx = white.y,
-                .surround = choices.surround};
-  const double background_y = choices.background == spectra::Background::ring
-                                  ? 100 * spectra::luminous(light.background) / white.y
-                                  : view.sample.y;
+                .surround = choices.surround,
+                .lamps_by_flux = light.lamps_by_flux};
+  double background_y = choices.background_y;
+  if (choices.background == spectra::Background::ring) {
+    background_y = 100 * spectra::luminous(light.background) / white.y;
+  } else if (choices.background == spectra::Background::sample) {
+    background_y = view.sample.y;
+  }
   require_light(background_y, "background");
+  const Adopted taken = adopted(light, choices);
+  view.size = taken.size;
+  if (choices.size_effect) view.angle_deg = angle_deg(light, choices);
 
   const auto [ratio, factors] =
       surround_of(choices.surround, {.adapting_luminance_cd_m2 = adapting,
                                      .white_luminance_cd_m2 = view.white_luminance_cd_m2,
                                      .illuminance_lx = view.illuminance_lx});
   view.surround_ratio = ratio;
-  view.conditions = {.white = relative(light.white),
+  spectra::RelativeXyz adopted_white = relative(light.white);
+  adopted_white.x = taken.white.x(adopted_white.x, adopted_white.y);
+  adopted_white.z = taken.white.z(adopted_white.z, adopted_white.y);
+  view.conditions = {.white = adopted_white,
                      .adapting_luminance_cd_m2 = adapting,
                      .background_y = background_y,
                      .surround = factors};
@@ -163,9 +191,58 @@ const Adaptation& standard_adaptation() {
   return adaptation;
 }
 
-SwatchAppearance on_swatch(const spectra::Spectrum& reflectance) {
-  const spectra::RelativeXyz xyz = spectra::relative_xyz(reflectance, swatch_light());
-  return {.xyz = xyz, .correlates = ciecam02_forward(xyz, standard_adaptation())};
+Correlates seen(const spectra::RelativeXyz& sample, const Adaptation& adaptation,
+                const SizeEffect& size) {
+  Correlates p = ciecam02_forward(sample, adaptation);
+  if (size.none() || p.status.negative_achromatic) return p;
+  const LightnessChromaHue large =
+      size.forward({.lightness = p.lightness, .chroma = p.chroma, .hue_deg = p.hue_deg});
+  p.lightness = large.lightness;
+  p.brightness = adaptation.brightness_scale * std::sqrt(p.lightness / 100);
+  if (p.status.no_chroma_denominator) return p;
+  p.chroma = large.chroma;
+  p.colourfulness *= size.chroma;
+  const double before = p.saturation;
+  p.saturation = p.brightness > 0 ? 100 * std::sqrt(p.colourfulness / p.brightness) : 0;
+  const double saturation = before > 0 ? p.saturation / before : 0;
+  p.a_c *= size.chroma, p.b_c *= size.chroma;
+  p.a_m *= size.chroma, p.b_m *= size.chroma;
+  p.a_s *= saturation, p.b_s *= saturation;
+  return p;
+}
+
+Correlates seen(const RoomView& view) {
+  return seen(view.sample, adapt(view.conditions), view.size);
+}
+
+SwatchCondition swatch_in(const spectra::Spectrum& irradiance, double background_y,
+                          Surround surround) {
+  const double illuminance_lx = spectra::luminous(irradiance);
+  require_light(illuminance_lx, "swatch");
+  const double luminance = illuminance_lx / std::numbers::pi;
+  return {.light = irradiance,
+          .conditions = {.white = spectra::relative_xyz(spectra::constant(irradiance.grid, 1),
+                                                        irradiance),
+                         .adapting_luminance_cd_m2 = luminance,
+                         .background_y = background_y,
+                         .surround = surround_of(surround, {.adapting_luminance_cd_m2 = luminance,
+                                                            .white_luminance_cd_m2 = luminance,
+                                                            .illuminance_lx = illuminance_lx})
+                                         .factors},
+          .size = {}};
+}
+
+const SwatchCondition& standard_swatch() {
+  static const SwatchCondition standard{
+      .light = swatch_light(), .conditions = standard_conditions(), .size = {}};
+  return standard;
+}
+
+SwatchAppearance on_swatch(const spectra::Spectrum& reflectance, const SwatchCondition& swatch) {
+  const spectra::RelativeXyz xyz = spectra::relative_xyz(reflectance, swatch.light);
+  const bool standard = &swatch == &standard_swatch();
+  const Adaptation& adaptation = standard ? standard_adaptation() : adapt(swatch.conditions);
+  return {.xyz = xyz, .correlates = seen(xyz, adaptation, swatch.size)};
 }
 
 }  // namespace appearance

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "appearance/ciecam02.h"
+#include "appearance/size_effect.h"
 #include "appearance/spectra/viewed_light.h"
 
 namespace appearance {
@@ -37,6 +38,35 @@ struct RatioAndFactors {
 [[nodiscard]] std::string to_string(spectra::Background choice);
 [[nodiscard]] std::string to_string(spectra::ReferenceWhite choice);
 
+/// The light of lamps as X / Y and Z / Y, and how much of it is in the adopted white: a mixture of
+/// the two whites at equal Y, so only the colour of the white changes.
+struct WhiteMixture {
+  double share = 1;  ///< of the white that the room's light makes; 1: all
+  double lamps_x = 0, lamps_z = 0;
+
+  template <typename T>
+  [[nodiscard]] T x(const T& white_x, const T& white_y) const {
+    return share == 1 ? white_x : T(share * white_x + (1 - share) * lamps_x * white_y);
+  }
+
+  template <typename T>
+  [[nodiscard]] T z(const T& white_z, const T& white_y) const {
+    return share == 1 ? white_z : T(share * white_z + (1 - share) * lamps_z * white_y);
+  }
+};
+
+/// What of the choices meets the room, whatever its paint.
+struct Adopted {
+  spectra::ViewingChoices choices;
+  WhiteMixture white;
+  SizeEffect size;
+};
+
+/// @throws std::domain_error  if the white is that of lamps and there are none, or the size effect
+/// is wanted of no angle
+[[nodiscard]] Adopted adopted(const spectra::ViewedLight& light,
+                              const spectra::ViewingChoices& choices);
+
 /// What a viewer of the lit room is adapted to, and the numbers it came from.
 struct RoomView {
   ViewingConditions conditions;
@@ -47,12 +77,23 @@ struct RoomView {
   double surround_ratio = 0;         ///< of `surround`; 1, 0.2, 0 for the fixed ones
   spectra::Surround surround =
       spectra::Surround::neumann;  ///< the choice made, to be named in outputs
+  SizeEffect size;                 ///< of the viewed paint
+  double angle_deg = 0;            ///< it was taken for; 0: no size effect
+  bool lamps_by_flux = false;      ///< what the lamps' part of the white is, if it has one
 };
 
 /// @throws std::domain_error  if there is no light at the viewed point, in its background or in the
 /// adapting field, or the white is too saturated for the model
 [[nodiscard]] RoomView view_of_room(const spectra::ViewedLight& light,
                                     const spectra::ViewingChoices& choices = {});
+
+/// How the viewed wall looks, the size effect included.
+/// @throws std::domain_error  as `adapt`
+[[nodiscard]] Correlates seen(const RoomView& view);
+
+/// A sample seen so.
+[[nodiscard]] Correlates seen(const spectra::RelativeXyz& sample, const Adaptation& adaptation,
+                              const SizeEffect& size);
 
 /// The swatch: 2000 lx D65, L_A = 2000/pi cd/m^2, Y_b = 20, average surround, on the transport grid
 /// ([Neumann2004] 4.4, where 636.32 is a misprint). The white is D65 summed over the same bands.
@@ -67,7 +108,22 @@ struct SwatchAppearance {
   Correlates correlates;
 };
 
-/// @throws std::invalid_argument  if the reflectance is not on the transport grid
-[[nodiscard]] SwatchAppearance on_swatch(const spectra::Spectrum& reflectance);
+/// Where a swatch is held, and how large it is.
+struct SwatchCondition {
+  spectra::Spectrum light;  ///< what an ideal diffuser would send, of any amount
+  ViewingConditions conditions;
+  SizeEffect size;  ///< of the swatch
+};
+
+/// L_A is that of an ideal diffuser, as in the standard condition.
+/// @param irradiance  W m^-2 nm^-1
+[[nodiscard]] SwatchCondition swatch_in(const spectra::Spectrum& irradiance, double background_y,
+                                        spectra::Surround surround);
+
+[[nodiscard]] const SwatchCondition& standard_swatch();
+
+/// @throws std::invalid_argument  if the reflectance is not on the grid of the light
+[[nodiscard]] SwatchAppearance on_swatch(const spectra::Spectrum& reflectance,
+                                         const SwatchCondition& swatch = standard_swatch());
 
 }  // namespace appearance

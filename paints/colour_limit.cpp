@@ -27,9 +27,9 @@ struct Levels {
 /// What an eye adapted to this light must see; throws std::domain_error where nothing looks so.
 Eigen::Vector3d wished_stimulus(const Target& target, const appearance::RoomView& view) {
   const auto [x, y, z] = appearance::ciecam02_inverse(
-      {.lightness = target.lightness,
-       .chroma = std::hypot(target.a_c, target.b_c),
-       .hue_deg = std::atan2(target.b_c, target.a_c) * 180 / std::numbers::pi},
+      view.size.inverse({.lightness = target.lightness,
+                         .chroma = std::hypot(target.a_c, target.b_c),
+                         .hue_deg = std::atan2(target.b_c, target.a_c) * 180 / std::numbers::pi}),
       appearance::adapt(view.conditions));
   return {x, y, z};
 }

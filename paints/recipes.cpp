@@ -57,8 +57,7 @@ class Exact {
                   .parts = parts.head(bases.count),
                   .reflectance = mix(bases, parts).reflectance};
     recipe.view = appearance::view_of_room(room_(recipe.reflectance).light, viewing_);
-    recipe.correlates =
-        appearance::ciecam02_forward(recipe.view.sample, appearance::adapt(recipe.view.conditions));
+    recipe.correlates = appearance::seen(recipe.view);
     const appearance::Correlates& k = recipe.correlates;
     recipe.distance = (Eigen::Vector3d(k.lightness, k.a_c, k.b_c) - wish).norm();
     return recipe;

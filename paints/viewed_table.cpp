@@ -32,7 +32,9 @@ struct ViewedTable::Film {
 
 ViewedTable::ViewedTable(const BaseSet& set, const spectra::RoomResponseSlope& room,
                          const spectra::ViewingChoices& viewing)
-    : bands_(set.grid.count), surface_(set.surface), viewing_(viewing) {
+    : bands_(set.grid.count),
+      surface_(set.surface),
+      adopted_{.choices = viewing, .white = {}, .size = {}} {
   if (set.bases.empty() || bands_ > kMostBands) {
     throw std::invalid_argument("mixing wants at least one base, and at most 32 bands");
   }
@@ -53,7 +55,9 @@ void ViewedTable::fit(const spectra::RoomResponseSlope& room, const spectra::Gri
   for (int n = 0; n <= kIntervals; ++n) {
     nodes.push_back(room(spectra::constant(grid, n * step)));
   }
-  (void)appearance::view_of_room(nodes[kIntervals / 2].light, viewing_);  // is there light?
+  const spectra::ViewedLight& middle = nodes[kIntervals / 2].light;
+  (void)appearance::view_of_room(middle, adopted_.choices);  // is there light?
+  adopted_ = appearance::adopted(middle, adopted_.choices);
 
   const auto at = [](const spectra::ViewedLight& light, int band) {
     return Eigen::Array4d(light.sample.values[band], light.white.values[band],
@@ -113,7 +117,7 @@ Eigen::Vector3d ViewedTable::jab(const BaseNumbers& bases, const Parts& parts) c
   }
   appearance::ViewedSums sums;
   sums << x[0], y[0], z[0], x[1], y[1], z[1], y[2], y[3];
-  return appearance::jab_of(sums, viewing_);
+  return appearance::jab_of(sums, adopted_);
 }
 
 JabOfParts ViewedTable::slope(const BaseNumbers& bases, const Parts& parts) const {
@@ -142,7 +146,7 @@ JabOfParts ViewedTable::slope(const BaseNumbers& bases, const Parts& parts) cons
           by_ratio * (absorption_[base][band] - film.ratio[band] * scattering_[base][band]);
     }
   }
-  const appearance::JabOfSums of_sums = appearance::jab_slope(sums.cast<double>(), viewing_);
+  const appearance::JabOfSums of_sums = appearance::jab_slope(sums.cast<double>(), adopted_);
   return {.jab = of_sums.jab, .by_parts = of_sums.by_sum * by_parts.cast<double>()};
 }
 

@@ -63,7 +63,7 @@ class ViewedTable {
   int bands_;
   double largest_ = 0;  // reflectance of any base
   Saunderson surface_;
-  spectra::ViewingChoices viewing_;
+  appearance::Adopted adopted_;
   std::vector<Bands> absorption_, scattering_;  // per base
   std::vector<Cubic> cubics_;                   // band by band
   Eigen::ArrayX3f weights_;                     // colour matching functions, in lm W^-1 per band

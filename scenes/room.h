@@ -74,11 +74,25 @@ struct View {
   Eigen::Vector3d eye_m, look_at_m;
 };
 
+/// The light that a swatch is looked at in.
+struct SwatchLight {
+  Spectrum irradiance;       ///< W m^-2 nm^-1
+  double background_y = 20;  ///< Y_b
+  spectra::Surround surround = spectra::Surround::average;
+};
+
+/// Where a swatch is held: in the standard condition, at the viewed point of the room as it is
+/// painted now, or in a light of its own.
+enum class SwatchPlace { standard, here, own };
+
 /// The wished appearance: a reflectance seen on the swatch, or J, C, h under the standard
 /// conditions.
 struct TargetColour {
   std::string name;                                ///< for reports
   std::variant<Spectrum, Eigen::Vector3d> colour;  ///< reflectance, or J, C, h in degrees
+  double angle_deg = 2;                            ///< of the swatch, for the size effect
+  SwatchPlace seen = SwatchPlace::standard;
+  SwatchLight own = {};  ///< where it is seen in one of its own
 };
 
 /// Surfaces that share one paint, and how it is to look.

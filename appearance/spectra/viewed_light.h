@@ -14,6 +14,11 @@ struct ViewedLight {
   Spectrum field;  ///< solid-angle mean from 11 to 90 degrees: the adapting field, lamps included
   Spectrum white;  ///< the reference white: an ideal diffuser at the viewed point unless chosen
                    ///< otherwise
+  Spectrum lamps = {};  ///< what an ideal diffuser there sends of light that no surface has
+                        ///< reflected, of any amount; of that alone the colour counts
+  bool lamps_by_flux =
+      false;             ///< no lamp sees the point: `lamps` is all light that enters the room
+  double angle_deg = 0;  ///< of the cone that is as large, in solid angle, as the paint in view
 };
 
 /// The room as the paint sees it: the reflectance of the painted surfaces in, the viewed light out.
@@ -40,13 +45,19 @@ enum class Judgement { mean, worst };
 
 /// How viewing conditions are read from the lit room [Neumann2004] 2.4, 3.6, 4.4, Table 5.
 enum class Surround { neumann, cie, illuminance, average, dim, dark };
-enum class Background { ring, sample };  ///< sample: the paper's shortcut, Y_b = Y of the wall
+/// sample: the paper's shortcut, Y_b = Y of the wall; fixed: a number
+enum class Background { ring, sample, fixed };
 enum class ReferenceWhite { ideal, surfaces };  ///< surfaces: mean over near-white surfaces in view
 
 struct ViewingChoices {
   Surround surround = Surround::neumann;
   Background background = Background::ring;
   ReferenceWhite white = ReferenceWhite::ideal;
+  double white_share = 1;    ///< of `white` in the adopted one; the rest is `ViewedLight::lamps`,
+                             ///< both at equal Y
+  double background_y = 20;  ///< Y_b where the background is fixed
+  bool size_effect = false;  ///< large fields look lighter and more chromatic
+  double angle_deg = 0;      ///< of the viewed paint, for the size effect; 0: as it is in view
 };
 
 }  // namespace spectra

@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr const char* kFormat = "roomhue_response";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 template <typename Values>
 Json list_of(const Values& values) {
@@ -62,6 +62,31 @@ bool is_sound(const solver::ReducedViews& views) {
     }
   }
   return true;
+}
+
+/// The lamps of every viewed point and lighting, and an angle for each point.
+bool has_lamps(const solver::ReducedViews& views) {
+  const auto points = static_cast<std::size_t>(views.viewed);
+  if (views.lamps.size() != points || views.angle_deg.size() != points) return false;
+  const auto lights = static_cast<std::size_t>(views.room.bands.front().gamma.cols());
+  for (const auto& of_point : views.lamps) {
+    if (of_point.size() != lights) return false;
+    for (const solver::LampLight& lamps : of_point) {
+      if (lamps.light.values.size() != views.grid.count) return false;
+    }
+  }
+  return true;
+}
+
+Json json_of(const solver::LampLight& lamps) {
+  return {{"light", json_of(lamps.light)}, {"by_flux", lamps.by_flux}};
+}
+
+solver::LampLight lamps_of(const Json& json, const spectra::Grid& grid) {
+  const auto values = json.at("light").get<std::vector<double>>();
+  return {.light = {grid, Eigen::Map<const Eigen::ArrayXd>(values.data(),
+                                                           static_cast<Index>(values.size()))},
+          .by_flux = json.at("by_flux")};
 }
 
 Json shape_of(const scenes::Room& room) {
@@ -131,6 +156,11 @@ OutputFile response_file(const std::filesystem::path& path, const std::string& k
             {"largest_error", room.largest_error},
             {"converged", room.converged}};
   for (const Eigen::VectorXd& share : views.share) json["share"].push_back(list_of(share));
+  json["angle_deg"] = views.angle_deg;
+  for (const auto& of_point : views.lamps) {
+    Json& lamps = json["lamps"].emplace_back(Json::array());
+    for (const solver::LampLight& l : of_point) lamps.push_back(json_of(l));
+  }
   for (const auto& t : room.transfers) {
     json["transfers"].push_back({{"k", json_of(t.k)}, {"phi", json_of(t.phi)}, {"group", t.group}});
   }
@@ -173,6 +203,11 @@ std::optional<solver::ReducedViews> load_response(const std::filesystem::path& p
       views.share.emplace_back(
           Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Index>(values.size())));
     }
+    views.angle_deg = json.at("angle_deg").get<std::vector<double>>();
+    for (const Json& of_point : json.at("lamps")) {
+      auto& lamps = views.lamps.emplace_back();
+      for (const Json& l : of_point) lamps.push_back(lamps_of(l, views.grid));
+    }
     for (const Json& t : json.at("transfers")) {
       views.room.transfers.push_back({.k = matrix_of(t.at("k")),
                                       .phi = matrix_of(t.at("phi")),
@@ -183,7 +218,7 @@ std::optional<solver::ReducedViews> load_response(const std::filesystem::path& p
                                   .gamma = matrix_of(b.at("gamma")),
                                   .constant = matrix_of(b.at("constant"))});
     }
-    return is_sound(views) ? std::optional(std::move(views)) : std::nullopt;
+    return is_sound(views) && has_lamps(views) ? std::optional(std::move(views)) : std::nullopt;
   } catch (const std::exception&) {
     return std::nullopt;  // whoever damaged it, solving anew mends it
   }

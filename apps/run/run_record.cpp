@@ -189,21 +189,34 @@ Json describe(const solver::ColourModel& model, const solver::ColourSolution& so
 Json describe(const appearance::RoomView& view, const scenes::Room& room,
               const solver::ViewedPoint& at) {
   const auto& [white, adapting_luminance_cd_m2, background_y, surround] = view.conditions;
-  return {{"surface", room.surfaces[static_cast<std::size_t>(at.surface)].name},
-          {"eye_m", to_json(at.eye_m)},
-          {"point_m", to_json(at.point_m)},
-          {"illuminance_lx", view.illuminance_lx},
-          {"white", appearance::to_string(room.viewing.white)},
-          {"white_XYZ", to_json(white)},
-          {"white_luminance_cd_m2", view.white_luminance_cd_m2},
-          {"L_A_cd_m2", adapting_luminance_cd_m2},
-          {"background", appearance::to_string(room.viewing.background)},
-          {"Y_b", background_y},
-          {"surround", appearance::to_string(view.surround)},
-          {"surround_ratio", view.surround_ratio},
-          {"F", surround.f},
-          {"c", surround.c},
-          {"N_c", surround.n_c}};
+  Json json{{"surface", room.surfaces[static_cast<std::size_t>(at.surface)].name},
+            {"eye_m", to_json(at.eye_m)},
+            {"point_m", to_json(at.point_m)},
+            {"illuminance_lx", view.illuminance_lx},
+            {"white", appearance::to_string(room.viewing.white)},
+            {"white_XYZ", to_json(white)},
+            {"white_luminance_cd_m2", view.white_luminance_cd_m2},
+            {"L_A_cd_m2", adapting_luminance_cd_m2},
+            {"background", appearance::to_string(room.viewing.background)},
+            {"Y_b", background_y},
+            {"surround", appearance::to_string(view.surround)},
+            {"surround_ratio", view.surround_ratio},
+            {"F", surround.f},
+            {"c", surround.c},
+            {"N_c", surround.n_c}};
+  if (room.viewing.white_share != 1) {
+    json["white_share"] = room.viewing.white_share;
+    json["white_lamps"] = view.lamps_by_flux
+                              ? "no lamp sees the viewed point: all light that enters the room"
+                              : "at the viewed point, before any bounce";
+  }
+  if (room.viewing.size_effect) {
+    json["size_effect"] = {{"angle_deg", view.angle_deg},
+                           {"lightness", view.size.lightness},
+                           {"chroma", view.size.chroma},
+                           {"caution", appearance::kSizeEffectCaution}};
+  }
+  return json;
 }
 
 std::int64_t peak_memory_bytes() {

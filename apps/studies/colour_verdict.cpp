@@ -31,6 +31,7 @@ MeanAndWorst mean_and_worst(const MethodVerdict& method, Value value) {
 
 Eye eye_of(const appearance::RoomView& view) {
   return {.adaptation = appearance::adapt(view.conditions),
+          .size = view.size,
           .white = view.conditions.white,
           .white_y = view.illuminance_lx};
 }
@@ -38,7 +39,7 @@ Eye eye_of(const appearance::RoomView& view) {
 Verdict judge(const spectra::Xyz& sent, const spectra::Xyz& truth, const Eye& eye) {
   const auto seen = [&](const spectra::Xyz& light) -> Seen {
     const spectra::RelativeXyz xyz = spectra::relative_xyz(light, eye.white_y);
-    return {.xyz = xyz, .correlates = appearance::ciecam02_forward(xyz, eye.adaptation)};
+    return {.xyz = xyz, .correlates = appearance::seen(xyz, eye.adaptation, eye.size)};
   };
   const Seen is = seen(sent), should_be = seen(truth);
   return {.seen = is,

@@ -12,6 +12,7 @@ namespace apps {
 /// One eye for all methods, adapted to the true light: no error hides in the adaptation to it.
 struct Eye {
   appearance::Adaptation adaptation;
+  appearance::SizeEffect size;
   spectra::RelativeXyz white;
   double white_y = 0;  ///< lm m^-2
 };

@@ -12,13 +12,12 @@ Reported::Reported(const appearance::Correlates& k)
 }
 
 Seen seen_in_room(const appearance::RoomView& view) {
-  return {
-      .xyz = view.sample,
-      .correlates = appearance::ciecam02_forward(view.sample, appearance::adapt(view.conditions))};
+  return {.xyz = view.sample, .correlates = appearance::seen(view)};
 }
 
-Seen seen_on_swatch(const spectra::Spectrum& reflectance) {
-  const auto [xyz, correlates] = appearance::on_swatch(reflectance);
+Seen seen_on_swatch(const spectra::Spectrum& reflectance,
+                    const appearance::SwatchCondition& swatch) {
+  const auto [xyz, correlates] = appearance::on_swatch(reflectance, swatch);
   return {.xyz = xyz, .correlates = correlates};
 }
 

@@ -29,6 +29,8 @@ struct Shift {
 };
 
 [[nodiscard]] Seen seen_in_room(const appearance::RoomView& view);
-[[nodiscard]] Seen seen_on_swatch(const spectra::Spectrum& reflectance);
+[[nodiscard]] Seen seen_on_swatch(
+    const spectra::Spectrum& reflectance,
+    const appearance::SwatchCondition& swatch = appearance::standard_swatch());
 
 }  // namespace apps

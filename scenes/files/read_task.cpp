@@ -1,4 +1,4 @@
-// What a room file asks for: receivers, view, and paint.
+// What a room file asks for: receivers, where the eye is, paint and scenarios.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -75,7 +75,8 @@ void RoomReader::read_receivers() {
 void RoomReader::read_view() {
   const auto node = top_.find("view");
   if (!node) return;
-  const JsonObject view = node->object({"eye_m", "look_at_m", "surround", "background", "white"});
+  const JsonObject view =
+      node->object({"eye_m", "look_at_m", "surround", "background", "white", "size_effect"});
   read_viewing_choices(view);
   if (view.has("eye_m") || view.has("look_at_m")) read_view_points(view, room_.view);
 }
@@ -90,23 +91,6 @@ void RoomReader::read_view_points(const JsonObject& view, std::optional<View>& i
   if (plan_sound_ && eye_m.allFinite() && clearance_m(eye_m) < kShortest_m) {
     view.find("eye_m")->fault("the eye is outside the room, on a surface or in furniture",
                               "move it into the air");
-  }
-}
-
-void RoomReader::read_viewing_choices(const JsonObject& view) {
-  // In the order of the enumerations.
-  static const std::array<std::string, 6> surrounds{"neumann", "cie", "illuminance",
-                                                    "average", "dim", "dark"};
-  static const std::array<std::string, 2> backgrounds{"ring", "sample"};
-  static const std::array<std::string, 2> whites{"ideal", "surfaces"};
-  if (const auto surround = view.find("surround")) {
-    room_.viewing.surround = static_cast<spectra::Surround>(surround->choice(surrounds));
-  }
-  if (const auto background = view.find("background")) {
-    room_.viewing.background = static_cast<spectra::Background>(background->choice(backgrounds));
-  }
-  if (const auto white = view.find("white")) {
-    room_.viewing.white = static_cast<spectra::ReferenceWhite>(white->choice(whites));
   }
 }
 
@@ -189,23 +173,6 @@ void RoomReader::read_atlas(const JsonNode& node, PaintTask& task) {
   }
   task.atlas = curves_.resolve(name);
   curves_.check_atlas(node, task.atlas);
-}
-
-void RoomReader::read_target(const JsonNode& node, PaintTask& task) {
-  TargetColour target{.name = "", .colour = curves_.zero()};
-  if (node.has("J") || node.has("C") || node.has("h_deg")) {
-    const JsonObject jch = node.object({"J", "C", "h_deg"});
-    const Eigen::Vector3d colour(jch.number("J", {.least = 0, .most = 150}),
-                                 jch.number("C", {.least = 0, .most = 250}),
-                                 jch.number("h_deg", {.least = 0, .most = 360}));
-    target.name = fmt::format("J {} C {} h {}", colour[0], colour[1], colour[2]);
-    target.colour = colour;
-  } else {
-    const Reflectance reflectance = curves_.reflectance(node);
-    target.name = reflectance.name;
-    target.colour = reflectance.spectrum;
-  }
-  task.target = target;
 }
 
 void RoomReader::read_scenarios() {

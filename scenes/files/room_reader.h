@@ -81,7 +81,6 @@ class RoomReader {
   // read_task.cpp
   void read_receivers();
   void read_view();
-  void read_viewing_choices(const spectra::JsonObject& view);
   void read_view_points(const spectra::JsonObject& view, std::optional<View>& into);
   void read_scenarios();
   void read_scenario(const spectra::JsonNode& node);
@@ -89,9 +88,15 @@ class RoomReader {
   void read_paint_group(const spectra::JsonNode& node);
   void read_painted(const spectra::JsonNode& node, PaintTask& task);
   void read_atlas(const spectra::JsonNode& node, PaintTask& task);
-  void read_target(const spectra::JsonNode& node, PaintTask& task);
   /// Distance to the nearest surface; negative outside the room and within furniture.
   [[nodiscard]] double clearance_m(const Eigen::Vector3d& point_m) const;
+
+  // read_seeing.cpp
+  void read_viewing_choices(const spectra::JsonObject& view);
+  void read_target(const spectra::JsonNode& node, PaintTask& task);
+  /// @param correlates  the target is no swatch, but J, C, h
+  void read_swatch(const spectra::JsonObject& swatch, bool correlates, TargetColour& target);
+  [[nodiscard]] SwatchLight read_swatch_light(const spectra::JsonNode& node);
 
   spectra::JsonFile& file_;
   CurveReader curves_;

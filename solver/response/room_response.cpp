@@ -96,6 +96,13 @@ ReducedViews reduce_views(const scenes::Room& room, const RoomTransport& transpo
       }
     }
   }
+  for (std::size_t v = 0; v < transport.viewed.size(); ++v) {
+    views.angle_deg.push_back(painted_angle_deg(room, transport, v));
+    std::vector<LampLight>& lamps = views.lamps.emplace_back();
+    for (std::size_t l = 0; l < count; ++l) {
+      lamps.push_back(lamp_light(room, transport, v, first + l));
+    }
+  }
   return views;
 }
 
@@ -119,6 +126,8 @@ RoomResponse::RoomResponse(const ReducedViews& views, int varying, int viewed,
   for (int j = 0; j < groups; ++j) {
     if (j != varying) check(paints[static_cast<std::size_t>(j)]);
   }
+  lamps_ = views.lamps.at(static_cast<std::size_t>(viewed));
+  angle_deg_ = views.angle_deg.at(static_cast<std::size_t>(viewed));
   set_outputs(views, paints);
   if (viewed != varying) viewed_paint_ = lane_of(paints[static_cast<std::size_t>(viewed)]);
 
@@ -270,7 +279,17 @@ spectra::ViewedLight RoomResponse::light(const Spectrum& paint, std::size_t ligh
     const Lane p = rho / (1 - rho * pole_[k]);
     for (std::size_t o = 0; o < outputs; ++o) y[o] += sums.weight[k][o] * p;
   }
-  return viewed(y, (viewed_ == varying_ ? rho : viewed_paint_) * y[irradiance], paint);
+  spectra::ViewedLight light =
+      viewed(y, (viewed_ == varying_ ? rho : viewed_paint_) * y[irradiance], paint);
+  add_lamps(light, lighting);
+  return light;
+}
+
+/// What no paint changes.
+void RoomResponse::add_lamps(spectra::ViewedLight& light, std::size_t lighting) const {
+  light.lamps = lamps_[lighting].light;
+  light.lamps_by_flux = lamps_[lighting].by_flux;
+  light.angle_deg = angle_deg_;
 }
 
 spectra::ViewedLightSlope RoomResponse::slope(const Spectrum& paint, std::size_t lighting) const {
@@ -290,8 +309,11 @@ spectra::ViewedLightSlope RoomResponse::slope(const Spectrum& paint, std::size_t
   const bool own = viewed_ == varying_;
   const Lane wall = own ? rho : viewed_paint_;
   const Lane direct = own ? y[irradiance] : Lane(Lane::Zero());
-  return {.light = viewed(y, wall * y[irradiance], paint),
-          .by_reflectance = viewed(by_rho, wall * by_rho[irradiance] + direct, paint)};
+  spectra::ViewedLightSlope slope{
+      .light = viewed(y, wall * y[irradiance], paint),
+      .by_reflectance = viewed(by_rho, wall * by_rho[irradiance] + direct, paint)};
+  add_lamps(slope.light, lighting);
+  return slope;
 }
 
 }  // namespace solver

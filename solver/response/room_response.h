@@ -5,6 +5,7 @@
 #include "appearance/spectra/viewed_light.h"
 #include "scenes/room.h"
 #include "solver/response/reduced_room.h"
+#include "solver/rooms/lamp_white.h"
 #include "solver/rooms/transport.h"
 
 namespace solver {
@@ -18,6 +19,8 @@ struct ReducedViews {
   bool white_of_surfaces = false;      ///< else the white is ideal
   std::vector<Eigen::VectorXd> share;  ///< per viewed point: of the view, what fixed near-white
                                        ///< surfaces take, and what each group would as such
+  std::vector<std::vector<LampLight>> lamps;  ///< per viewed point and lighting
+  std::vector<double> angle_deg;              ///< of the paint in view, per viewed point
 };
 
 /// @throws std::invalid_argument  if nothing is painted, or the transport's viewed points are not
@@ -67,6 +70,7 @@ class RoomResponse {
   [[nodiscard]] Lane lane_of(const spectra::Spectrum& paint) const;
   [[nodiscard]] spectra::ViewedLight viewed(const Lanes& outputs, const Lane& sample,
                                             const spectra::Spectrum& paint) const;
+  void add_lamps(spectra::ViewedLight& light, std::size_t lighting) const;
   void set_outputs(const ReducedViews& views, const std::vector<spectra::Spectrum>& paints);
   void add_band(const ReducedViews& views, int band, const Eigen::VectorXd& reflectance);
   void add_pole();
@@ -80,6 +84,8 @@ class RoomResponse {
   Lane viewed_paint_;                           ///< where the viewed group does not vary
   std::vector<Lane> pole_;                      ///< lambda_k
   std::vector<Sums> sums_;                      ///< per lighting
+  std::vector<LampLight> lamps_;                ///< per lighting
+  double angle_deg_ = 0;
 };
 
 }  // namespace solver

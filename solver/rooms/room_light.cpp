@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "appearance/spectra/text/input_error.h"
+#include "solver/rooms/lamp_white.h"
 
 namespace solver {
 namespace {
@@ -126,12 +128,16 @@ spectra::ViewedLight viewed_light(const scenes::Room& room, const RoomTransport&
   const auto patch = std::ranges::find(transport.mesh.surface, wall.at.surface);
   const ArrayXd exitance =
       transport.lightings[solution.lighting].emission.row(patch - transport.mesh.surface.begin());
+  LampLight lamps = lamp_light(room, transport, viewed, solution.lighting);
   return {.sample = on_grid(exitance + reflectance * irradiance),
           .background = seen(wall.view.background),
           .field = seen(wall.view.field),
           .white = room.viewing.white == spectra::ReferenceWhite::ideal
                        ? on_grid(irradiance)
-                       : on_grid(white_of_surfaces(room, transport, solution, wall))};
+                       : on_grid(white_of_surfaces(room, transport, solution, wall)),
+          .lamps = std::move(lamps.light),
+          .lamps_by_flux = lamps.by_flux,
+          .angle_deg = painted_angle_deg(room, transport, viewed)};
 }
 
 }  // namespace solver

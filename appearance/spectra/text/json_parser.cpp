@@ -75,7 +75,9 @@ class TreeBuilder : public nlohmann::json::json_sax_t {
 
   bool null() override { return leaf({.kind = Kind::null}); }
 
-  bool boolean(bool) override { return leaf({.kind = Kind::boolean}); }
+  bool boolean(bool value) override {
+    return leaf({.kind = Kind::boolean, .number = value ? 1.0 : 0.0});
+  }
 
   bool number_integer(number_integer_t value) override {
     return leaf({.kind = Kind::number, .number = static_cast<double>(value)});

@@ -180,9 +180,18 @@ JsonObject JsonNode::any_object() const {
   return {*this, readable};
 }
 
+JsonNode JsonNode::beside(std::vector<std::string> keys) const {
+  JsonNode node = *this;
+  node.known_elsewhere_ = std::move(keys);
+  return node;
+}
+
 JsonObject JsonNode::object(const std::vector<std::string>& keys) const {
+  const auto in = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   for (const JsonValue::Key& key : value_->keys) {
-    if (std::find(keys.begin(), keys.end(), key.name) != keys.end()) continue;
+    if (in(keys, key.name) || in(known_elsewhere_, key.name)) continue;
     const std::string near = nearest_name(key.name, keys);
     file_->fault(key.offset, pointer_ + pointer_token(key.name),
                  fmt::format("the key \"{}\" is unknown here", key.name),

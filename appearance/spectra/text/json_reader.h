@@ -45,6 +45,9 @@ class JsonNode {
 
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
 
+  /// True if it is `true`.
+  [[nodiscard]] bool truth() const { return is(Kind::boolean) && value_->number != 0; }
+
   [[nodiscard]] double number(const Limits& limits = {}) const;
   [[nodiscard]] int whole_number(int least, int most) const;  ///< `least` after a fault
   [[nodiscard]] std::string text() const;
@@ -57,6 +60,8 @@ class JsonNode {
   [[nodiscard]] std::vector<double> numbers(std::size_t count, const Limits& limits = {}) const;
   /// Keys other than these are faults.
   [[nodiscard]] JsonObject object(const std::vector<std::string>& keys) const;
+  /// The same, for a reader who does not know these keys: they are none of its faults.
+  [[nodiscard]] JsonNode beside(std::vector<std::string> keys) const;
   /// An object whose keys are names that the file makes up.
   [[nodiscard]] JsonObject any_object() const;
   /// True if it is an object with this key.
@@ -70,6 +75,7 @@ class JsonNode {
   JsonFile* file_;
   const JsonValue* value_;
   std::string pointer_;
+  std::vector<std::string> known_elsewhere_;
 };
 
 /// An object whose keys are known. If the value was no object, every key is absent and no further

@@ -49,6 +49,7 @@ const std::vector<SchemaObject> kObjects{
     {"eye", "/paint/view", "{}"},
     {"scenario", "/scenarios/0", "{}"},
     {"correlates", "/paint/target", R"({"J": 0})"},
+    {"swatch_light", "/paint/target/seen", "{}"},
 };
 
 std::set<std::string> keys_of(const json& object_schema) {
