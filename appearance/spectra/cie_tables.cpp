@@ -15,9 +15,9 @@ namespace {
 
 using ColourMatching = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-/// The table of CIE 15 as published: 360..830 nm, step 1.
-ColourMatching published_table() {
-  const CsvTable csv = compiled_table(CompiledTable::cie1931);
+/// A table of CIE 15 as published: 360..830 nm, step 1.
+ColourMatching published_table(CompiledTable which) {
+  const CsvTable csv = compiled_table(which);
   ColourMatching table(kClosedFormGrid.count, 3);
   for (int k = 0; k < kClosedFormGrid.count; ++k) {
     const auto& cells = csv.rows.at(static_cast<std::size_t>(k)).cells;
@@ -40,7 +40,7 @@ int row_of(double wavelength_nm) {
 }  // namespace
 
 const ColourMatching& colour_matching(const Grid& grid) {
-  static const ColourMatching published = published_table();
+  static const ColourMatching published = published_table(CompiledTable::cie1931);
   if (grid == kTransportGrid) {  // asked for millions of times a second: no lock
     static const ColourMatching transport =
         published(Eigen::seqN(row_of(grid.first_nm), grid.count,
@@ -67,6 +67,13 @@ const ColourMatching& colour_matching(const Grid& grid) {
     }
   }
   return entry->second;
+}
+
+ColourMatching colour_matching_10_deg(const Grid& grid) {
+  static const ColourMatching published = published_table(CompiledTable::cie1964);
+  ColourMatching table(grid.count, 3);
+  for (int k = 0; k < grid.count; ++k) table.row(k) = published.row(row_of(grid.wavelength_nm(k)));
+  return table;
 }
 
 }  // namespace spectra

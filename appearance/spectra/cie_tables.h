@@ -13,4 +13,7 @@ inline constexpr double kMaxLuminousEfficacy_lm_W = 683;
 /// @throws std::invalid_argument  if a wavelength of the grid is no whole nm within 360..830
 [[nodiscard]] const Eigen::Matrix<double, Eigen::Dynamic, 3>& colour_matching(const Grid& grid);
 
+/// The same of CIE 1964, for fields of 10 degrees; y is the luminous efficiency of such fields.
+[[nodiscard]] Eigen::Matrix<double, Eigen::Dynamic, 3> colour_matching_10_deg(const Grid& grid);
+
 }  // namespace spectra

@@ -10,6 +10,7 @@ spectra_\name\()_end:
 
   .section .rodata
   table cie1931, "cie1931.csv"
+  table cie1964, "cie1964.csv"
   table illuminants, "illuminants.csv"
   table houser_lamps, "houser_lamps.csv"
   table munsell_nickerson, "munsell_nickerson.csv"

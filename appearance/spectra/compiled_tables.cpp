@@ -4,6 +4,7 @@
 
 extern "C" {
 extern const char spectra_cie1931_begin[], spectra_cie1931_end[];
+extern const char spectra_cie1964_begin[], spectra_cie1964_end[];
 extern const char spectra_illuminants_begin[], spectra_illuminants_end[];
 extern const char spectra_houser_lamps_begin[], spectra_houser_lamps_end[];
 extern const char spectra_munsell_nickerson_begin[], spectra_munsell_nickerson_end[];
@@ -16,6 +17,8 @@ CsvTable compiled_table(CompiledTable table) {
   switch (table) {
     case CompiledTable::cie1931:
       return parse_csv("cie1931.csv", {spectra_cie1931_begin, spectra_cie1931_end});
+    case CompiledTable::cie1964:
+      return parse_csv("cie1964.csv", {spectra_cie1964_begin, spectra_cie1964_end});
     case CompiledTable::illuminants:
       return parse_csv("illuminants.csv", {spectra_illuminants_begin, spectra_illuminants_end});
     case CompiledTable::houser_lamps:

@@ -6,6 +6,7 @@ namespace spectra {
 /// The files of data/ that are compiled into the program.
 enum class CompiledTable {
   cie1931,
+  cie1964,
   illuminants,
   houser_lamps,
   munsell_nickerson,

@@ -95,35 +95,51 @@ Eigen::Matrix3d srgb_to_xyz(const Eigen::Vector3d& white) {
   return primaries * primaries.partialPivLu().solve(white).asDiagonal();
 }
 
+const Spectrum& d65_bands() {
+  static const Spectrum d65 = light_on(kTransportGrid, illuminant("D65"));
+  return d65;
+}
+
 }  // namespace
 
 Reconstruction reconstruct_reflectance(const RelativeXyz& xyz, const Spectrum& light) {
   if (!(luminous(light) > 0)) {
     throw std::invalid_argument("a colour cannot be reconstructed under a light without luminance");
   }
-  const MatrixXd tristimulus = colour_matching(light.grid).array().colwise() * light.values;
-  const Problem p{.weights = tristimulus / tristimulus.col(1).sum(),
-                  .xyz = Eigen::Vector3d(xyz.x, xyz.y, xyz.z) / 100};
+  const Eigen::Matrix<double, Eigen::Dynamic, 3> tristimulus =
+      colour_matching(light.grid).array().colwise() * light.values;
+  return reconstruct_from_sums(light.grid, tristimulus / tristimulus.col(1).sum(),
+                               Eigen::Vector3d(xyz.x, xyz.y, xyz.z) / 100);
+}
+
+Reconstruction reconstruct_from_sums(const Grid& grid,
+                                     const Eigen::Matrix<double, Eigen::Dynamic, 3>& weights,
+                                     const Eigen::Vector3d& xyz) {
+  const Problem p{.weights = weights, .xyz = xyz};
   VectorXd unknowns = VectorXd::Zero(p.bands() + 3);
   const bool solved = solve(p, unknowns);
   const ArrayXd rho = reflectance(unknowns.head(p.bands()));
-  return {.reflectance = {.grid = light.grid, .values = rho},
+  return {.reflectance = {.grid = grid, .values = rho},
           .converged = solved && rho.minCoeff() > 0 && rho.maxCoeff() < 1};
 }
 
-Reconstruction reconstruct_srgb(double r, double g, double b) {
-  Eigen::Vector3d rgb(r, g, b);
+RelativeXyz srgb_xyz(const Eigen::Vector3d& rgb) {
   if (!((rgb.array() >= 0).all() && (rgb.array() <= 1).all())) {
-    throw std::invalid_argument(
-        fmt::format("an sRGB colour has components from 0 to 1, not ({}, {}, {})", r, g, b));
+    throw std::invalid_argument(fmt::format(
+        "an sRGB colour has components from 0 to 1, not ({}, {}, {})", rgb[0], rgb[1], rgb[2]));
   }
-  const Spectrum d65 = light_on(kTransportGrid, illuminant("D65"));
-  if (rgb.isZero(0)) return {.reflectance = constant(kTransportGrid, 0), .converged = true};
-
-  const RelativeXyz white = relative_xyz(constant(kTransportGrid, 1), d65);
+  const RelativeXyz white = relative_xyz(constant(kTransportGrid, 1), d65_bands());
   const Eigen::Vector3d xyz =
       srgb_to_xyz({white.x, white.y, white.z}) * rgb.unaryExpr(&srgb_linear);
-  return reconstruct_reflectance({.x = xyz[0], .y = xyz[1], .z = xyz[2]}, d65);
+  return {.x = xyz[0], .y = xyz[1], .z = xyz[2]};
+}
+
+Reconstruction reconstruct_srgb(double r, double g, double b) {
+  const RelativeXyz xyz = srgb_xyz({r, g, b});
+  if (r == 0 && g == 0 && b == 0) {
+    return {.reflectance = constant(kTransportGrid, 0), .converged = true};
+  }
+  return reconstruct_reflectance(xyz, d65_bands());
 }
 
 }  // namespace spectra

@@ -47,9 +47,9 @@ def write(name, header, rows):
         writer.writerows(rows)
 
 
-def cie1931():
-    nm, xyz, _ = psychtoolbox("T_xyz1931")
-    write("cie1931.csv", ["nm", "x", "y", "z"],
+def colour_matching(year):
+    nm, xyz, _ = psychtoolbox("T_xyz" + year)
+    write(f"cie{year}.csv", ["nm", "x", "y", "z"],
           ([w, *map(number, row)] for w, row in zip(nm, xyz)))
 
 
@@ -111,7 +111,8 @@ def munsell():
 
 
 if __name__ == "__main__":
-    cie1931()
+    colour_matching("1931")
+    colour_matching("1964")
     illuminants()
     lamps()
     munsell()
