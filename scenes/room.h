@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -7,6 +8,7 @@
 
 #include "appearance/spectra/spectrum.h"
 #include "appearance/spectra/viewed_light.h"
+#include "scenes/luminaires/luminaire.h"
 
 namespace scenes {
 
@@ -47,6 +49,15 @@ struct Sun {
   double azimuth_deg = 0;  ///< clockwise from +y seen from above
   double altitude_deg = 0;
   Spectrum normal_irradiance;  ///< W m^-2 nm^-1 outside, perpendicular to the beam
+};
+
+/// A luminaire at its place: intensities by direction from a file, one spectrum for all of them.
+struct PlacedLuminaire {
+  std::string name;
+  std::shared_ptr<const Luminaire> type;
+  Eigen::Vector3d at_m;    ///< its photometric centre
+  Eigen::Matrix3d axes;    ///< columns: its own x, y, z in the room
+  Spectrum spectral_flux;  ///< W nm^-1, all of it
 };
 
 enum class SurfaceKind { floor, ceiling, wall, opening, panel, furniture };
@@ -109,10 +120,10 @@ struct PaintTask {
 /// A light as the file lists it, and what it gives alone.
 struct Light {
   std::string name;
-  SurfaceKind kind = SurfaceKind::panel;  ///< panel or opening, if `index` says which
-  int index = -1;                         ///< into panels or openings; -1: a point or a sun
-  int point = -1, sun = -1;               ///< into point_lights, suns
-  Spectrum exitance;                      ///< S of its surface, W m^-2 nm^-1
+  SurfaceKind kind = SurfaceKind::panel;     ///< panel or opening, if `index` says which
+  int index = -1;                            ///< into panels or openings; -1: none of them
+  int point = -1, sun = -1, luminaire = -1;  ///< into point_lights, suns, luminaires
+  Spectrum exitance;                         ///< S of its surface, W m^-2 nm^-1
 };
 
 /// A lighting of the room: some of its lights, scaled.
@@ -135,6 +146,7 @@ struct Room {
   std::vector<Surface> surfaces;
   std::vector<PointLight> point_lights;
   std::vector<Sun> suns;
+  std::vector<PlacedLuminaire> luminaires;
   std::vector<Receiver> receivers;
   std::optional<View> view;
   spectra::ViewingChoices viewing;

@@ -114,6 +114,10 @@ Json light_of(const scenes::Room& room) {
   for (const scenes::Sun& s : room.suns) {
     light["suns"].push_back({s.azimuth_deg, s.altitude_deg, json_of(s.normal_irradiance)});
   }
+  for (const scenes::PlacedLuminaire& l : room.luminaires) {
+    light["luminaires"].push_back({sha256_of_file(l.type->path), list_of(l.at_m),
+                                   list_of(l.axes.reshaped()), json_of(l.spectral_flux)});
+  }
   return light;
 }
 

@@ -17,7 +17,7 @@ using spectra::Limits;
 
 namespace {
 
-const std::vector<std::string> kKinds{"panel", "opening", "point", "sun"};
+const std::vector<std::string> kKinds{"panel", "opening", "point", "sun", "luminaire"};
 const std::vector<std::string> kAmounts{"flux_lm", "power_W", "illuminance_lx", "exitance_W_m2_nm"};
 constexpr Limits kAmount{.least = 0, .most = 1e9, .above_least = true};
 
@@ -46,12 +46,13 @@ void RoomReader::read_lights() {
   if (!lights) return;
   const Places entries = lights->list();
   if (entries.empty() && lights->is(JsonNode::Kind::list)) {
-    lights->fault("there is no light at all", "add a panel, a lit opening, a point or a sun");
+    lights->fault("there is no light at all",
+                  "add a panel, a lit opening, a luminaire, a point or a sun");
   }
   for (const JsonNode& node : entries) {
-    read_light(
-        node.object({"name", "panel", "opening", "point", "sun", "reflectance", "spectrum",
-                     "flux_lm", "power_W", "efficacy_lm_W", "illuminance_lx", "exitance_W_m2_nm"}));
+    read_light(node.object({"name", "panel", "opening", "point", "sun", "luminaire", "reflectance",
+                            "spectrum", "flux_lm", "dim", "power_W", "efficacy_lm_W",
+                            "illuminance_lx", "exitance_W_m2_nm"}));
   }
 }
 
@@ -71,6 +72,10 @@ void RoomReader::read_light(const JsonObject& light) {
     reflectance->fault(fmt::format("\"reflectance\" has no meaning for this light ({})", kinds[0]),
                        "an opening's stands in \"surfaces\"; leave it out here");
   }
+  if (const auto dim = light.find("dim"); dim && kinds[0] != "luminaire") {
+    dim->fault(fmt::format("\"dim\" has no meaning for this light ({})", kinds[0]),
+               "only luminaires know their own flux; give less of the amount");
+  }
   const LightEntry entry{.light = light, .kind = node, .name = name};
   if (kinds[0] == "panel") {
     read_panel(entry);
@@ -78,6 +83,8 @@ void RoomReader::read_light(const JsonObject& light) {
     read_lit_opening(entry);
   } else if (kinds[0] == "point") {
     read_point(entry);
+  } else if (kinds[0] == "luminaire") {
+    read_luminaire_light(entry);
   } else {
     read_sun(entry);
   }

@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,7 +30,7 @@ class RoomReader {
 
   struct LightEntry {
     spectra::JsonObject light;
-    spectra::JsonNode kind;  ///< the value of "panel", "opening", "point" or "sun"
+    spectra::JsonNode kind;  ///< the value of "panel", "opening", "point", "sun" or "luminaire"
     std::string name;
   };
 
@@ -71,6 +73,16 @@ class RoomReader {
   [[nodiscard]] spectra::Spectrum emitted(const spectra::JsonObject& light,
                                           const AmountRules& rules);
 
+  // read_luminaire.cpp
+  void read_luminaire_light(const LightEntry& entry);
+  /// Null after a fault.
+  [[nodiscard]] std::shared_ptr<const Luminaire> luminaire_file(const spectra::JsonNode& node,
+                                                                const std::string& path);
+  [[nodiscard]] spectra::Spectrum luminaire_flux(const LightEntry& entry,
+                                                 const PlacedLuminaire& luminaire);
+  void check_luminaire(const PlacedLuminaire& luminaire, const spectra::JsonNode& place);
+  void note_flush(const PlacedLuminaire& luminaire, const spectra::JsonNode& place);
+
   // read_surfaces.cpp
   void read_surfaces();
   void add_surface(const std::string& name, SurfaceKind kind, std::size_t index);
@@ -109,7 +121,8 @@ class RoomReader {
   std::vector<std::string> names_;  ///< taken by walls, openings, furniture, lights
   Places opening_places_, box_places_, panel_places_;
   std::vector<std::optional<spectra::Spectrum>> opening_exitance_;  ///< of those that are lit
-  std::vector<Lamp> lamps_;                                         ///< as room_.panels
+  std::map<std::string, std::shared_ptr<const Luminaire>> luminaire_files_;
+  std::vector<Lamp> lamps_;  ///< as room_.panels
 };
 
 /// Lengths and places that a room can have, metres.

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <utility>
 
+#include "scenes/luminaires/ies_conventions.h"
 #include "scenes/luminaires/ies_tilt.h"
 #include "scenes/luminaires/number_stream.h"
 #include "scenes/luminaires/plane_symmetry.h"
@@ -26,25 +24,6 @@ constexpr double kFoot_m = 0.3048;
 constexpr double kMost_cd = 1e12;
 constexpr double kSameAngle_deg = 1e-6;
 
-std::string upper(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return out;
-}
-
-/// The year of a first line; 0: it claims to be a version, but none that is known; 1986: no
-/// version.
-int year_of(std::string_view first_line) {
-  static const std::map<std::string, int> kYears{
-      {"IESNA86", 1986},          {"IESNA:LM-63-1986", 1986}, {"IESNA91", 1991},
-      {"IESNA:LM-63-1991", 1991}, {"IESNA95", 1995},          {"IESNA:LM-63-1995", 1995},
-      {"IESNA:LM-63-2002", 2002}, {"IES:LM-63-2019", 2019}};
-  const std::string line = upper(first_line);
-  if (const auto known = kYears.find(line); known != kYears.end()) return known->second;
-  return line.starts_with("IES") ? 0 : 1986;
-}
-
 /// What stands behind "TILT=", if the line is that.
 std::optional<Token> tilt_value(const Token& line) {
   if (!upper(line.text.substr(0, 4)).starts_with("TILT")) return std::nullopt;
@@ -54,25 +33,6 @@ std::optional<Token> tilt_value(const Token& line) {
   return Token{.text = line.text.substr(at),
                .line = line.line,
                .column = line.column + static_cast<int>(at)};
-}
-
-struct Shape {
-  LuminousShape shape = LuminousShape::point;
-  bool known = true;
-};
-
-/// By the signs of width, length and height, whatever the version says.
-Shape shape_of(double width, double length, double height) {
-  const auto sign = [](double v) { return v > 0 ? '+' : v < 0 ? '-' : '0'; };
-  const std::string signs{sign(width), sign(length), sign(height)};
-  if (signs == "000") return {LuminousShape::point};
-  if (signs == "--0" || signs == "-00") return {LuminousShape::ellipse};
-  if (signs == "--+" || signs == "-0+" || signs == "-+-" || signs == "+--") {
-    return {LuminousShape::cylinder};
-  }
-  if (signs == "---" || signs == "-0-") return {LuminousShape::sphere};
-  const bool known = signs.find('-') == signs.npos;
-  return {height == 0 ? LuminousShape::rectangle : LuminousShape::box, known};
 }
 
 class IesReader {
@@ -135,7 +95,7 @@ class IesReader {
 /// @returns the line where the numbers begin
 std::size_t IesReader::read_head() {
   const Token first = text_.line(0);
-  year_ = year_of(first.text);
+  year_ = ies_year(first.text);
   format_ = readable(first.text);
   if (year_ == 1986 && !upper(first.text).starts_with("IES")) {
     format_ = "IES LM-63-1986";
@@ -396,7 +356,7 @@ Luminaire IesReader::finish() {
   lamp.flux_lm = lamp.intensity.flux_lm();
   if (header_.lumens > 0 && header_.lamps > 0) lamp.lamps_lm = header_.lamps * header_.lumens;
   lamp.input_W = std::max(0.0, header_.watts);
-  const auto [shape, known] = shape_of(header_.size_m.x(), header_.size_m.y(), header_.size_m.z());
+  const auto [shape, known] = ies_shape(header_.size_m.x(), header_.size_m.y(), header_.size_m.z());
   lamp.shape = shape;
   // Length lies along horizontal angle 0; a round luminaire may give one diameter alone.
   Vector3d size_m(std::abs(header_.size_m.y()), std::abs(header_.size_m.x()),

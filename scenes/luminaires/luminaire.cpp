@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace scenes {
 
@@ -31,6 +34,15 @@ double Tilt::at(double angle) const {
   const auto i = static_cast<std::size_t>(above - angle_deg.begin());
   const double share = (angle - angle_deg[i - 1]) / (angle_deg[i] - angle_deg[i - 1]);
   return (1 - share) * factor[i - 1] + share * factor[i];
+}
+
+Eigen::Matrix3d luminaire_axes(const Eigen::Vector3d& aim, double rotate_deg) {
+  const Eigen::Vector3d down(0, 0, -1), to = aim.stableNormalized();
+  const Eigen::AngleAxisd turn(rotate_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitZ());
+  const bool up = to.z() > 1 - 1e-12;
+  const Eigen::Matrix3d tip = up ? Eigen::Vector3d(1, -1, -1).asDiagonal().toDenseMatrix()
+                                 : Eigen::Quaterniond::FromTwoVectors(down, to).toRotationMatrix();
+  return tip * turn.toRotationMatrix();
 }
 
 std::vector<std::string> oddities(const Luminaire& luminaire) {

@@ -40,6 +40,11 @@ struct Luminaire {
   std::vector<std::string> notes;  ///< what was assumed or is odd, one sentence each
 };
 
+/// Where the axes of a luminaire point in a room, as columns: a turn about its own z,
+/// counter-clockwise from above, then the shortest turn from -z to `aim`; straight up: half a turn
+/// about x.
+[[nodiscard]] Eigen::Matrix3d luminaire_axes(const Eigen::Vector3d& aim, double rotate_deg);
+
 /// What does not fit together in a file, though it can be read: planes that should agree, fluxes.
 [[nodiscard]] std::vector<std::string> oddities(const Luminaire& luminaire);
 

@@ -63,6 +63,7 @@ Bands lights_of(const scenes::Room& room) {
   for (const scenes::Surface& s : room.surfaces) all.push_back(&s.exitance);
   for (const scenes::PointLight& p : room.point_lights) all.push_back(&p.spectral_flux);
   for (const scenes::Sun& s : room.suns) all.push_back(&s.normal_irradiance);
+  for (const scenes::PlacedLuminaire& l : room.luminaires) all.push_back(&l.spectral_flux);
   Bands lights(static_cast<Eigen::Index>(all.size()), room.grid.count);
   for (std::size_t k = 0; k < all.size(); ++k) {
     lights.row(static_cast<Eigen::Index>(k)) = all[k]->values.transpose();

@@ -145,6 +145,9 @@ DirectSources::DirectSources(const scenes::Room& room, const Visibility& visibil
                       .intensity = lamp.spectral_flux.values / (4 * pi),
                       .shadows = {visibility.blockers(), from_point(lamp.at_m)}});
   }
+  for (const scenes::PlacedLuminaire& luminaire : room.luminaires) {
+    luminaires_.emplace_back(luminaire, visibility.blockers());
+  }
 }
 
 double DirectLight::largest_scaling() const {
@@ -158,6 +161,7 @@ DirectSources DirectSources::scaled(const std::vector<double>& by) const {
   std::size_t k = 0;
   for (PointSource& lamp : sources.lamps_) lamp.intensity *= by.at(k++);
   for (SunBeam& beam : sources.beams_) beam.normal_irradiance *= by.at(k++);
+  for (LuminaireSource& luminaire : sources.luminaires_) luminaire.scale(by.at(k++));
   return sources;
 }
 
@@ -189,6 +193,12 @@ DirectLight DirectSources::on_patches(const scenes::PatchMesh& mesh,
     spread(areas, open_area_m2 * -beam.opening.normal.dot(beam.to_sun), beam.normal_irradiance,
            facets, light);
   }
+  for (const LuminaireSource& luminaire : luminaires_) {
+    const std::vector<Share> flux = luminaire.on_facets(facets, bases);
+    double arriving_lm = 0;
+    for (const Share& share : flux) arriving_lm += share[0];
+    spread(flux, luminaire.flux_lm(facets, arriving_lm), luminaire.per_lumen(), facets, light);
+  }
   return light;
 }
 
@@ -209,6 +219,9 @@ ArrayXd DirectSources::at_point(const Vector3d& point, const Vector3d& normal) c
     if (cosine > 0 && in_prism && !beam.shadows.contain(point)) {
       irradiance += beam.normal_irradiance * cosine;
     }
+  }
+  for (const LuminaireSource& luminaire : luminaires_) {
+    irradiance += luminaire.per_lumen() * luminaire.at_point(point, normal);
   }
   return irradiance;
 }

@@ -7,18 +7,21 @@
 #include "solver/bands.h"
 #include "solver/factors/slope_basis.h"
 #include "solver/obstacles/visibility.h"
+#include "solver/sources/luminaire_light.h"
 
 namespace solver {
 
-/// Light from sources that are no patches, the paper's "first shot" [Neumann2004] 4.2: point lights
-/// and the sun through openings.
+/// Light from sources that are no patches, the paper's "first shot" [Neumann2004] 4.2: point
+/// lights, luminaires, and the sun through openings.
 
 /// Area means over the patches, patch x band, and, where bases are given, below them the means with
-/// psi_1, then with psi_2. Solid angles, lit polygons, their moments, and shadows are exact; each
-/// source is then scaled, by what rounding leaves, so that all its flux arrives in the closed room.
+/// psi_1, then with psi_2. Solid angles, lit polygons, their moments, and shadows are exact, the
+/// light of luminaires is integrated by quadrature; each source is then scaled, by what rounding or
+/// quadrature leaves, so that all its flux arrives in the closed room.
 struct DirectLight {
   Bands irradiance;
-  std::vector<double> scaling;  ///< of each point light, then of each sun through each opening
+  /// Of each point light, then of each sun through each opening, then of each luminaire.
+  std::vector<double> scaling;
 
   /// max |scale - 1|
   [[nodiscard]] double largest_scaling() const;
@@ -40,7 +43,7 @@ struct SunBeam {
   Eigen::ArrayXd normal_irradiance;
 };
 
-/// The point lights and suns of a room, and what stands in their way.
+/// The point lights, suns and luminaires of a room, and what stands in their way.
 class DirectSources {
  public:
   DirectSources(const scenes::Room& room, const Visibility& visibility);
@@ -61,6 +64,7 @@ class DirectSources {
   Eigen::Index bands_;
   std::vector<PointSource> lamps_;
   std::vector<SunBeam> beams_;
+  std::vector<LuminaireSource> luminaires_;
 };
 
 /// Solid angle of a polygon that shows its front to the point, sr [VanOosterom1983].

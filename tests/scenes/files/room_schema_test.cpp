@@ -43,6 +43,7 @@ const std::vector<SchemaObject> kObjects{
     {"panel", "/lights/0/panel", "{}"},
     {"point", "/lights/0/point", "{}"},
     {"sun", "/lights/0/sun", "{}"},
+    {"luminaire", "/lights/0/luminaire", "{}"},
     {"receiver", "/receivers/0", "{}"},
     {"view", "/view", "{}"},
     {"paint", "/paint", "{}"},
@@ -63,7 +64,9 @@ json room_with_unknown_key(const SchemaObject& object) {
   json room = sample_room();
   const json::json_pointer place(object.place);
   if (object.definition == "power_curve") room["lights"][0].erase("flux_lm");
-  if (object.definition == "point" || object.definition == "sun") room["lights"][0].erase("panel");
+  for (const char* kind : {"point", "sun", "luminaire"}) {
+    if (object.definition == kind) room["lights"][0].erase("panel");
+  }
   room[place] = json::parse(object.sample);
   room[place]["qqq"] = 0;
   return room;

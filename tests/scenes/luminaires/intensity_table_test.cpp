@@ -67,12 +67,12 @@ TEST(IntensityTable, ConstantIntensityHasFourPiOfFlux) {
 
 // I0 cos gamma has pi I0. Linear between its angles it is low by about step^2 / 12: 2.5e-3, 6.3e-4,
 // 1.6e-4, 2.5e-5 at 10, 5, 2.5, 1 degree. Exactly: the integral of sin over a hat of half width h
-// at g is 2 sin g (1 - cos h) / h^2, and the sum of sin 2g / 2 over the inner angles is cot h / 2.
+// at g is 2 sin g (1 - cos h) / h, and the sum of sin 2g / 2 over the inner angles is cot h / 2.
 TEST(IntensityTable, CosineIsLowByWhatLinearInterpolationLoses) {
   const auto cosine = [](double gamma, double) { return std::cos(gamma * pi / 180); };
   for (const int count : {9, 18, 36, 90}) {
     const double h = pi / 2 / count;
-    const double exact = 2 * pi * (1 - std::sin(h) / h + (1 - std::cos(h)) / (h * h * std::tan(h)));
+    const double exact = 2 * pi * (1 - std::sin(h) / h + (1 - std::cos(h)) / (h * std::tan(h)));
     EXPECT_NEAR(tabulated(Goniometry::c, steps(0, 90, count), {0, 360}, cosine).flux_lm(), exact,
                 1e-12);
     EXPECT_NEAR(exact / pi, 1 - h * h / 12, 1e-2 * h * h);
