@@ -17,7 +17,8 @@ void add_patch_option(CLI::App& command, RoomOptions& options) {
   command
       .add_option(
           "--patch-m", options.patch_m,
-          "longest patch edge in m with constant light; linear light takes edges twice as long "
+          "longest patch edge in m with constant light; linear light takes edges 2.5 times as "
+          "long "
           "(default: the room's)")
       ->check(kPositive);
   command

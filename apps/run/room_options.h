@@ -27,7 +27,7 @@ struct SolveOptions {
 
 /// How error is measured against run time.
 struct ConvergenceOptions {
-  double patch_m = 0;    ///< of the baseline; 0: the room's own
+  double patch_m = 0;  ///< of the baseline; 0: the room's own
   solver::Light light = solver::Light::linear;
   double seconds = 120;  ///< after which nothing more is started; the reference may take half of
                          ///< them, by its plan

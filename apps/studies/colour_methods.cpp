@@ -51,9 +51,8 @@ MethodColours solve_groups(const ComparedRoom& compared, int groups) {
   }
   solver::Bands reflectance(transport.exchange.rows(), groups);
   for (int p = 0; p < transport.exchange.rows(); ++p) {
-    reflectance.row(p) =
-        rho[static_cast<std::size_t>(
-            transport.mesh.surface[static_cast<std::size_t>(p % transport.mesh.size())])];
+    reflectance.row(p) = rho[static_cast<std::size_t>(
+        transport.mesh.surface[static_cast<std::size_t>(p % transport.mesh.size())])];
   }
   const solver::Lighting& light = transport.lightings.front();
   const solver::RadiositySolution solution = solver::solve_radiosity(

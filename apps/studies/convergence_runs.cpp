@@ -129,7 +129,8 @@ void Experiment::make_baseline() {
 bool Experiment::affordable_reference(double factor) const {
   const double patches = run_.transport.mesh.size() / (factor * factor);
   if (patches > kMostReferencePatches) return false;
-  const solver::Plan plan = solver::make_plan(run_.room, {.patch_m = factor * baseline_m_, .light = options_.light});
+  const solver::Plan plan =
+      solver::make_plan(run_.room, {.patch_m = factor * baseline_m_, .light = options_.light});
   const double rounds = wish_.task ? 2 : 1;  // a ranking costs about as much again
   return plan.fine.patch_m == 0 && plan.memory_bytes < solver::available_memory_bytes() / 2 &&
          rounds * plan.expected_seconds < options_.seconds / 2;
@@ -352,8 +353,8 @@ void Experiment::sweep() {
   RoomTransport coarse = run_.transport;
   while (coarse.exchange.rows() > kCoarsePatches) {
     options.patch_m *= std::sqrt(2);
-    const scenes::PatchMesh mesh = scenes::mesh_room(
-        run_.room, solver::longest_edge_m(options.patch_m, options.light));
+    const scenes::PatchMesh mesh =
+        scenes::mesh_room(run_.room, solver::longest_edge_m(options.patch_m, options.light));
     const int unknowns = solver::modes_of(options.light) * mesh.size();
     if (unknowns > kCoarsePatches && options.patch_m < 8 * baseline_m_) continue;
     coarse = solver::prepare_transport(run_.room, options);
@@ -386,11 +387,13 @@ Convergence Experiment::measure() {
   log_.add(std::move(baseline));
 
   const std::vector<SolverMethod>& methods = solver_methods();
-  std::vector<std::function<void()>> steps{
-      [&] { add_ambient_term(); }, [&] { add_tolerances(methods.front()); },
-      [&] { add_other_light(); },  [&] { add_patch_sizes(); },
-      [&] { add_rays(); },         [&] { add_bands(); },
-      [&] { sweep(); }};
+  std::vector<std::function<void()>> steps{[&] { add_ambient_term(); },
+                                           [&] { add_tolerances(methods.front()); },
+                                           [&] { add_other_light(); },
+                                           [&] { add_patch_sizes(); },
+                                           [&] { add_rays(); },
+                                           [&] { add_bands(); },
+                                           [&] { sweep(); }};
   for (std::size_t m = 1; m < methods.size(); ++m) {
     steps.emplace_back([&, m] { add_tolerances(methods[m]); });
   }

@@ -40,8 +40,9 @@ ConvergenceRun run_of(const SolverMethod& method, const PreparedRoom& grey, doub
       },
       1);
   const solver::BandReport& band = solved.value.radiosity.bands.front();
-  const double off = mean_error(
-      solved.value, grey.transport.exchange.area_m2.head(grey.transport.mesh.size()), one_minus_rho);
+  const double off =
+      mean_error(solved.value, grey.transport.exchange.area_m2.head(grey.transport.mesh.size()),
+                 one_minus_rho);
   return {.factor = "reflectance",
           .method = method.name,
           .setting = fmt::format("{:g}", 1 - one_minus_rho),

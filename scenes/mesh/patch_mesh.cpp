@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "scenes/mesh/surface_cutter.h"
@@ -14,9 +15,9 @@ namespace {
 
 constexpr double kCoplanarM = 1e-9;  // faces nearer than this touch
 constexpr double kMostPatches = 2e7;
-/// Cells along the edges of floor, ceiling and walls, where light changes fastest, are half as
-/// wide.
-constexpr double kAtEdges = 0.5;
+constexpr double kAtEdges = 0.5;    ///< CellSize::at_edges of the room's own faces
+constexpr double kCrowdedAt = 0.3;  ///< the same of all faces, and width of rings, where crowded
+constexpr double kGapsInside = 3;   ///< a slot is cut as many gaps from its mouth
 
 using Outline = std::vector<Eigen::Vector3d>;  // counter-clockwise seen from the room
 
@@ -91,7 +92,7 @@ struct WholeFace {
   int surface = 0;
   std::vector<Region> regions;
   int plane_number = 0;
-  double at_edges = 1;  ///< CellSize::at_edges
+  std::vector<double> at_edges = {};  ///< CellSize::at_edges
 };
 
 WholeFace whole_face(Outline outline, int surface) {
@@ -106,11 +107,11 @@ int host_surface(const Room& room, const Surface& s) {
 
 /// All faces, those of the shell first and in the order of Room::surfaces, with the openings and
 /// panels that they hold.
-std::vector<WholeFace> whole_faces(const Room& room) {
+std::vector<WholeFace> whole_faces(const Room& room, Cells cells) {
   std::vector<WholeFace> faces;
   for (Outline& outline : shell(room)) {
     faces.push_back(whole_face(std::move(outline), static_cast<int>(faces.size())));
-    faces.back().at_edges = kAtEdges;
+    faces.back().at_edges = {cells == Cells::crowded ? kCrowdedAt : kAtEdges};
   }
   for (int i = 0; i < static_cast<int>(room.surfaces.size()); ++i) {
     const Surface& s = room.surfaces[static_cast<std::size_t>(i)];
@@ -121,6 +122,7 @@ std::vector<WholeFace> whole_faces(const Room& room) {
       const Box& box = room.furniture.at(static_cast<std::size_t>(s.index));
       for (Outline& side : prism(footprint(box), box.min_m.z(), box.max_m.z())) {
         faces.push_back(whole_face(std::move(side), i));
+        if (cells == Cells::crowded) faces.back().at_edges = {kCrowdedAt};
       }
     }
   }
@@ -143,6 +145,30 @@ std::vector<std::vector<std::size_t>> group_by_plane(std::vector<WholeFace>& fac
     }
   }
   return planes;
+}
+
+/// A convex polygon whose edges are moved outwards.
+Polygon widened(const Polygon& convex, double by_m) {
+  Polygon wide;
+  const std::size_t n = convex.size();
+  const auto outwards = [&](std::size_t i) -> Eigen::Vector2d {
+    const Eigen::Vector2d along = (convex[(i + 1) % n] - convex[i]).stableNormalized();
+    return {along.y(), -along.x()};
+  };
+  for (std::size_t i = 0; i < n; ++i) {  // a corner moves where both its edges do
+    const Eigen::Vector2d before = outwards((i + n - 1) % n), after = outwards(i);
+    wide.push_back(convex[i] + by_m / (1 + before.dot(after)) * (before + after));
+  }
+  return wide;
+}
+
+/// Cuts `face` along the outline of `other`, moved outwards or, below 0, inwards.
+void add_outline(WholeFace& face, const WholeFace& other, double outwards_m) {
+  for (const Polygon& piece : convex_pieces(face.plane.flatten(other.outline))) {
+    Polygon outline = widened(piece, outwards_m);
+    const bool turned = area(outline) <= 0;  // moved inwards past its middle
+    if (!turned) face.regions.insert(face.regions.begin(), {std::move(outline), kOwn});
+  }
 }
 
 /// Cuts away from `face` what `other`, in the same plane and facing it, touches.
@@ -170,6 +196,36 @@ void add_contacts(std::vector<WholeFace>& faces) {
           add_contact(faces[i], faces[k]);
           add_contact(faces[k], faces[i]);
         }
+      }
+    }
+  }
+}
+
+/// How far apart two faces are that are parallel and look at each other.
+std::optional<double> gap_m(const WholeFace& a, const WholeFace& b) {
+  const Eigen::Vector3d &n = a.plane.normal(), m = b.plane.normal();
+  if ((n + m).norm() > kCoplanarM) return {};
+  const double gap = n.dot(b.outline.front() - a.outline.front());
+  return gap > -kCoplanarM ? std::optional(std::max(gap, 0.0)) : std::nullopt;
+}
+
+/// Light changes fast where furniture stands on a face, and where it is nearer to one than patches
+/// are long: a ring around the one, the outline of the other, and a line inside of it, where the
+/// slot gets dark.
+void crowd(std::vector<WholeFace>& faces, const Room& room, double patch_m) {
+  const auto is_furniture = [&](const WholeFace& face) {
+    return room.surfaces[static_cast<std::size_t>(face.surface)].kind == SurfaceKind::furniture;
+  };
+  for (WholeFace& face : faces) {
+    for (const WholeFace& other : faces) {
+      if (&face == &other || !is_furniture(other)) continue;
+      const std::optional<double> gap = gap_m(face, other);
+      if (!gap || *gap >= patch_m) continue;
+      if (*gap <= kCoplanarM) {
+        add_outline(face, other, kCrowdedAt * patch_m);
+      } else {
+        add_outline(face, other, -kGapsInside * *gap);
+        add_outline(face, other, 0);
       }
     }
   }
@@ -221,10 +277,11 @@ void require_sensible_patches(const std::vector<WholeFace>& faces, double patch_
 
 }  // namespace
 
-PatchMesh mesh_room(const Room& room, double patch_m) {
+PatchMesh mesh_room(const Room& room, double patch_m, Cells cells) {
   require_room(room);
-  std::vector<WholeFace> faces = whole_faces(room);
+  std::vector<WholeFace> faces = whole_faces(room, cells);
   require_sensible_patches(faces, patch_m);
+  if (cells == Cells::crowded) crowd(faces, room, patch_m);
   add_contacts(faces);
   std::vector<std::vector<Patch>> of_surface(room.surfaces.size());
   for (const WholeFace& face : faces) cut_into_patches(face, patch_m, of_surface);

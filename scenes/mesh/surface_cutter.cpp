@@ -223,7 +223,7 @@ std::vector<Stop> grid_stops(const Polygon& outline, const std::vector<Region>& 
   };
   add_edges(outline, true);
   for (const Region& region : regions) {
-    if (region.label != kCutAway) add_edges(region.outline, false);
+    if (region.label != kCutAway && region.label != kOwn) add_edges(region.outline, false);
   }
   std::ranges::sort(stops, {}, &Stop::at_m);
   std::vector<Stop> distinct;
@@ -233,6 +233,25 @@ std::vector<Stop> grid_stops(const Polygon& outline, const std::vector<Region>& 
     distinct.back().face_above |= s.face_above;
   }
   return distinct;
+}
+
+/// Where cells begin between two stops, in widths of a cell: narrower ones at either end, or none
+/// if they do not all fit beside a whole one.
+struct CellStarts {
+  std::vector<double> low, high;  ///< of the narrower cells, from the stop on
+  double less = 0;                ///< by how much all of them are narrower than whole cells
+};
+
+CellStarts narrower_cells(const std::vector<double>& widths, bool low, bool high) {
+  CellStarts starts;
+  double from_stop = 0;
+  for (const double width : widths) {
+    if (low) starts.low.push_back(from_stop);
+    from_stop += width;
+    if (high) starts.high.push_back(from_stop);
+    starts.less += (low ? 1 - width : 0) + (high ? 1 - width : 0);
+  }
+  return starts;
 }
 
 /// Lines at right angles to one coordinate, from left to right: at every stop, and in between in
@@ -246,13 +265,22 @@ std::vector<Line> grid_lines(const std::vector<Stop>& stops, Eigen::Index coordi
     const Stop &low = stops[i - 1], &high = stops[i];
     const double length_m = high.at_m - low.at_m;
     const bool one_cell = length_m - kSnapM <= size.patch_m;
-    const double less_low = low.face_above && !one_cell ? 1 - size.at_edges : 0,
-                 less_high = high.face_below && !one_cell ? 1 - size.at_edges : 0,
-                 whole_cells = (length_m - kSnapM) / size.patch_m;
-    const int cells = std::max(1, static_cast<int>(std::ceil(whole_cells + less_low + less_high)));
+    const CellStarts ends =
+        narrower_cells(size.at_edges, low.face_above && !one_cell, high.face_below && !one_cell);
+    const double whole_cells = (length_m - kSnapM) / size.patch_m;
+    const int narrower = static_cast<int>(ends.low.size() + ends.high.size());
+    const int cells = std::max({1, narrower, static_cast<int>(std::ceil(whole_cells + ends.less))});
+    const double widths = cells - ends.less;
+    const double less_low = ends.low.empty() ? 0 : ends.high.empty() ? ends.less : ends.less / 2;
     for (int k = 0; k < cells; ++k) {
-      const double before = k == 0 ? 0 : k - less_low;
-      const double stop_m = low.at_m + before * length_m / (cells - less_low - less_high);
+      const auto at = static_cast<std::size_t>(k),
+                 from_end = static_cast<std::size_t>(cells - 1 - k);
+      double before = k - less_low;
+      if (at < ends.low.size())
+        before = ends.low[at];
+      else if (from_end < ends.high.size())
+        before = widths - ends.high[from_end];
+      const double stop_m = low.at_m + before * length_m / widths;
       lines.push_back({.point = Eigen::Vector2d::Constant(stop_m), .direction = direction});
     }
   }

@@ -156,8 +156,8 @@ ArrayXd SolvedRoom::flux_on(int surface) const {
   return flux;
 }
 
-SolvedRoom solved(const scenes::Room& room) {
-  SolvedRoom s{.transport = prepare_transport(room), .solution = {}};
+SolvedRoom solved(const scenes::Room& room, Light light) {
+  SolvedRoom s{.transport = prepare_transport(room, {.light = light}), .solution = {}};
   s.solution = solve_room(room, s.transport, {.relative_error = kSolved});
   return s;
 }

@@ -24,6 +24,6 @@ struct SolvedRoom {
   [[nodiscard]] Eigen::ArrayXd flux_on(int surface) const;
 };
 
-[[nodiscard]] SolvedRoom solved(const scenes::Room& room);
+[[nodiscard]] SolvedRoom solved(const scenes::Room& room, Light light = Light::linear);
 
 }  // namespace solver

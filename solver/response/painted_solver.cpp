@@ -58,8 +58,10 @@ void PaintedSolver::solve_some(PaintedColumn* first, Index count) const {
       reflectance(patches_[static_cast<std::size_t>(p)], k) = first[k].paint[group_of(p)];
     }
   }
-  const RadiositySolution solution = solve_radiosity(exchange_, emission, direct, reflectance,
-                                                     {.relative_error = relative_error_});
+  const RadiositySolution
+      solution =  // linear light may be negative: a part of it, or a mean in a slot
+      solve_radiosity(exchange_, emission, direct, Reflector(std::move(reflectance)),
+                      {.relative_error = relative_error_});
   for (Index k = 0; k < count; ++k) {
     first[k].received = solution.irradiance.col(k)(patches_) * root_area_;
     first[k].outputs.resize(outputs());
@@ -87,7 +89,7 @@ PaintedColumn PaintedSolver::emitter(const ArrayXd& fixed, const VectorXd& recei
   for (Index p = 0; p < sent.size(); ++p) {
     const int row = patches_[static_cast<std::size_t>(p)];
     const double emission = sent[p] / root_area_[p];
-    column.emission[row] = row < exchange_.patches() ? std::max(0.0, emission) : emission;
+    column.emission[row] = exchange_.modes == 1 ? std::max(0.0, emission) : emission;
   }
   return column;
 }

@@ -22,6 +22,12 @@ constexpr int kFloatCopies = 8,
 constexpr double kMeshBytes = 2000,  ///< per patch, while the mesh is cut
     kGatherBytes = 2500;             ///< per patch, cut up for gathers
 
+scenes::PatchMesh mesh_for(const scenes::Room& room, double patch_m, Light light) {
+  return scenes::mesh_room(
+      room, longest_edge_m(patch_m, light),
+      light == Light::linear ? scenes::Cells::crowded : scenes::Cells::at_edges);
+}
+
 double area_m2(const scenes::Room& room) {
   const std::vector<double> area = whole_mesh(room).area_m2;
   return std::accumulate(area.begin(), area.end(), 0.0);
@@ -61,7 +67,7 @@ MeshChoice choose_coarse(const scenes::Room& room, Light light, double patch_m, 
                              .patches = static_cast<std::int64_t>(std::llround(fine_patches))}};
   // Cutting along edges leaves more and smaller patches than asked for.
   for (choice.patch_m = std::sqrt(room_area_m2 / count);; choice.patch_m *= 1.1) {
-    choice.solved = scenes::mesh_room(room, longest_edge_m(choice.patch_m, light));
+    choice.solved = mesh_for(room, choice.patch_m, light);
     if (modes * choice.solved.size() <= 1.3 * count || choice.patch_m > std::sqrt(room_area_m2))
       break;
   }
@@ -100,8 +106,7 @@ MeshChoice choose_mesh(const scenes::Room& room, const TransportOptions& options
     return unknowns <= kMostSolvedPatches && bytes_for(unknowns, room) <= limit;
   };
   if (solvable()) {
-    MeshChoice choice{.solved = scenes::mesh_room(room, longest_edge_m(patch_m, options.light)),
-                      .patch_m = patch_m};
+    MeshChoice choice{.solved = mesh_for(room, patch_m, options.light), .patch_m = patch_m};
     unknowns = modes_of(options.light) * choice.solved.size();
     choice.memory_bytes = static_cast<std::int64_t>(bytes_for(unknowns, room));
     if (solvable()) return choice;

@@ -64,8 +64,8 @@ GatherRow closed_row(VectorXd weights, const std::vector<double>& area_m2) {
                                               static_cast<Eigen::Index>(area_m2.size()));
   const double sum = weights.head(area.size()).sum();
   if (sum > 0) weights /= sum;
-  const Eigen::Index modes = weights.size() / area.size();
-  const double norm = std::sqrt((weights.array().square() / area.replicate(modes, 1)).sum());
+  const Eigen::ArrayXd areas = area.replicate(weights.size() / area.size(), 1);
+  const double norm = std::sqrt((weights.array().square() / areas).sum());
   return {.weights = std::move(weights), .norm = norm, .closure_defect = std::abs(sum - 1)};
 }
 

@@ -89,9 +89,9 @@ Share lit_angle(const Facet& facet, const SlopeBasis* basis, const PointSource& 
 void spread(const std::vector<Share>& shares, double whole, const ArrayXd& per_band,
             const std::vector<Facet>& facets, DirectLight& light) {
   const auto n = static_cast<Eigen::Index>(facets.size());
-  const double sum = ArrayXd::NullaryExpr(n, [&](Eigen::Index i) {
-                       return shares[static_cast<std::size_t>(i)][0];
-                     }).sum();
+  ArrayXd in_all(n);
+  for (Eigen::Index i = 0; i < n; ++i) in_all[i] = shares[static_cast<std::size_t>(i)][0];
+  const double sum = in_all.sum();
   light.scaling.push_back(sum > 0 ? whole / sum : 1);
   for (std::size_t i = 0; i < facets.size(); ++i) {
     const Share scaled = light.scaling.back() * shares[i];

@@ -62,8 +62,8 @@ scenes::Room uniform(scenes::Room room, double reflectance) {
   return room;
 }
 
-Solved solve(const scenes::Room& room, double relative_error) {
-  Solved solved{.transport = solver::prepare_transport(room), .solution = {}};
+Solved solve(const scenes::Room& room, double relative_error, solver::Light light) {
+  Solved solved{.transport = solver::prepare_transport(room, {.light = light}), .solution = {}};
   solved.solution = solver::solve_room(room, solved.transport, {.relative_error = relative_error});
   return solved;
 }

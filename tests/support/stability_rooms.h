@@ -49,7 +49,8 @@ struct Solved {
   }
 };
 
-[[nodiscard]] Solved solve(const scenes::Room& room, double relative_error = 1e-9);
+[[nodiscard]] Solved solve(const scenes::Room& room, double relative_error = 1e-9,
+                           solver::Light light = solver::Light::linear);
 
 /// White furnace: surfaces of many reflectances from 0 to 0.9999 that emit S = 1 - rho give B = H =
 /// 1 everywhere. The largest error on patches and at receivers.

@@ -355,5 +355,36 @@ TEST(MeshRoom, UnboundedPatchesStillFollowTheOpenings) {
   EXPECT_EQ(mesh.size(), 5 + 9);
 }
 
+// A box on the floor gets a ring around its foot; a board before a wall its outline on the wall,
+// and a line three gaps inside. No area is lost or counted twice.
+TEST(CrowdedCells, FollowWhatStandsOnAFaceOrCloseToIt) {
+  const Room room = rectangular_room(5, 4, 2.7)
+                        .box({2, 1, 0}, {3, 2, 0.75})
+                        .box({1, 3.97, 1}, {2, 3.99, 2})
+                        .room();
+  const PatchMesh plain = mesh_room(room, 0.8), crowded = mesh_room(room, 0.8, Cells::crowded);
+  std::map<int, double> area_m2;
+  for (std::size_t p = 0; p < plain.area_m2.size(); ++p)
+    area_m2[plain.surface[p]] += plain.area_m2[p];
+  for (std::size_t p = 0; p < crowded.area_m2.size(); ++p) {
+    area_m2[crowded.surface[p]] -= crowded.area_m2[p];
+  }
+  for (const auto& [surface, rest] : area_m2) EXPECT_NEAR(rest, 0, 1e-12) << surface;
+  const auto one_holds = [&](const Eigen::Vector3d& normal, const Eigen::Vector3d& p,
+                             const Eigen::Vector3d& q) {
+    for (std::size_t k = 0; k < crowded.polygon.size(); ++k) {
+      if ((crowded.normal[k] - normal).norm() > 1e-9) continue;
+      Eigen::AlignedBox3d box;
+      for (const Eigen::Vector3d& v : crowded.polygon[k]) box.extend(v);
+      if (box.contains(p) && box.contains(q)) return true;
+    }
+    return false;
+  };
+  const double ring_m = 0.3 * 0.8;
+  EXPECT_FALSE(one_holds({0, 0, 1}, {2.5, 1 - 0.99 * ring_m, 0}, {2.5, 1 - 1.01 * ring_m, 0}));
+  EXPECT_FALSE(one_holds({0, -1, 0}, {1.5, 4, 2.001}, {1.5, 4, 1.999}));
+  EXPECT_FALSE(one_holds({0, -1, 0}, {1.5, 4, 1.971}, {1.5, 4, 1.969}));
+}
+
 }  // namespace
 }  // namespace scenes

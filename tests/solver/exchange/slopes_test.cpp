@@ -163,10 +163,10 @@ TEST_P(LinearRoom, EvenLightHasNoSlopesAndEntriesAreReciprocal) {
   }
 }
 
-// What the rules leave of that: a fortieth of a slope's own size at most, where rays decide.
+// What the rules leave of that, of the patch's area; more where rays decide.
 TEST_P(LinearRoom, MomentsNearlyCloseByThemselves) {
   const RoomTransport t = prepare_transport(room_);
-  EXPECT_LT(t.exchange.largest_slope_defect, room_.furniture.empty() ? 0.01 : 0.1);
+  EXPECT_LT(t.exchange.largest_slope_defect, room_.furniture.empty() ? 0.02 : 0.1);
   EXPECT_LT(t.exchange.without_slopes, t.mesh.size() / 20);
 }
 
@@ -179,7 +179,7 @@ TEST_P(LinearRoom, ViewedAndMeasuredLightAgreesWithThreeTimesThePatches) {
   const RoomSolution coarse = solved(0.3), fine = solved(0.17);
   for (std::size_t k = 0; k < coarse.receivers.size(); ++k) {
     const Eigen::ArrayXd difference = coarse.receivers[k].irradiance - fine.receivers[k].irradiance;
-    EXPECT_LT(difference.abs().maxCoeff(), 1e-3 * fine.receivers[k].irradiance.maxCoeff())
+    EXPECT_LT(difference.abs().maxCoeff(), 2e-3 * fine.receivers[k].irradiance.maxCoeff())
         << room_.receivers[k].name;
   }
 }

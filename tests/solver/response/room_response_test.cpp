@@ -117,7 +117,7 @@ TEST_P(ResponseOf, HoldsWhereEverythingIsPainted) {
 }
 
 TEST(RoomResponse, ThreeGroupsAreAnsweredFromOneReduction) {
-  scenes::Room room = sample_room("box", 1);
+  scenes::Room room = sample_room("box", 0.5);
   room.paint = {{.surfaces = {2, 3, 4}}, {.surfaces = {5}}, {.surfaces = {0}, .view = room.view}};
   room.paint[2].view = scenes::View{.eye_m = {2.5, 2, 1.5}, .look_at_m = {2, 1, 0}};
   const RoomTransport transport = prepare_transport(room);

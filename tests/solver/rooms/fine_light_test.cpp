@@ -92,7 +92,7 @@ struct Case {
 class AgainstTheFullSolve : public testing::TestWithParam<Case> {};
 
 INSTANTIATE_TEST_SUITE_P(Rooms, AgainstTheFullSolve,
-                         testing::Values(Case{"box", 0.6, 0.3, 4e-3},
+                         testing::Values(Case{"box", 0.6, 0.3, 6e-3},
                                          Case{"office", 0.6, 0.35, 1.5e-2}),
                          [](const auto& c) { return std::string(c.param.name); });
 
@@ -101,10 +101,11 @@ TEST_P(AgainstTheFullSolve, EveryPatchAgreesWithinNoiseAndCoarseness) {
   scenes::Room room = sample_room(name);
   room.receivers.clear();
   const FineLight fine = fine_light_of(room, coarse_m, patch_m, {.rays = 512, .lamp_rays = 256});
-  // The judge: linear light on these patches themselves.
+  // The judge, constant light on the same patches, is 0.4 % off itself.
   const RoomSolution full =
-      solve_room(room, prepare_transport(room, {.patch_m = patch_m / 2}), {.relative_error = 1e-6});
-  const ArrayXd deviation = deviations(fine, full.radiosity.irradiance.topRows(fine.mesh.size()));
+      solve_room(room, prepare_transport(room, {.patch_m = patch_m, .light = Light::constant}),
+                 {.relative_error = 1e-6});
+  const ArrayXd deviation = deviations(fine, full);
   RecordProperty("rms_deviation", std::to_string(rms(deviation)));
   RecordProperty("max_deviation", std::to_string(deviation.maxCoeff()));
   RecordProperty("rms_standard_error", std::to_string(fine.rms_standard_error));
@@ -192,8 +193,8 @@ TEST(MakePlan, ManyPatchesAreGatheredFromSomeThousand) {
 // 20,000 unknowns want more than a gigabyte; where there is less, coarser ones are solved.
 TEST(MakePlan, WhatDoesNotFitInMemoryIsSolvedCoarsely) {
   const scenes::Room room = sample_room("office");
-  const Plan plan = make_plan(room, {.patch_m = 0.06, .memory_limit_bytes = 900'000'000});
-  EXPECT_EQ(plan.fine.patch_m, 0.06);
+  const Plan plan = make_plan(room, {.patch_m = 0.04, .memory_limit_bytes = 900'000'000});
+  EXPECT_EQ(plan.fine.patch_m, 0.04);
   EXPECT_LE(plan.memory_bytes, 900'000'000);
   // and where not even their light fits, the patch size that would is named
   EXPECT_THROW((void)make_plan(room, {.patch_m = 0.005, .memory_limit_bytes = 900'000'000}),
