@@ -54,9 +54,10 @@ bool within(const Windows& windows, const Correlates& swatch, const Target& targ
          (grey || passes(windows.hue_deg, hue_difference_deg(swatch.hue_deg, hue_deg_of(target))));
 }
 
-bool rejected(const Paint& paint, const Windows& windows, const Target& target) {
+bool rejected(const Paint& paint, const RankingOptions& options, const Target& target) {
+  const Windows& windows = options.windows;
   if (!windows.lightness && !windows.chroma && !windows.hue_deg) return false;
-  const Correlates swatch = appearance::on_swatch(paint.reflectance).correlates;
+  const Correlates swatch = appearance::on_swatch(paint.reflectance, options.swatch).correlates;
   return swatch.status.all_defined() && !within(windows, swatch, target);
 }
 
@@ -142,8 +143,7 @@ SeenPaint look(const spectra::Spectrum& reflectance, const Target& target,
                const spectra::LitRoom& room, Distance kind,
                const spectra::ViewingChoices& viewing) {
   SeenPaint seen{.view = appearance::view_of_room(room.view(reflectance), viewing)};
-  seen.correlates =
-      appearance::ciecam02_forward(seen.view.sample, appearance::adapt(seen.view.conditions));
+  seen.correlates = appearance::seen(seen.view);
   seen.distance = distance(kind, seen.correlates, target);
   seen.chromaticity = spectra::chromaticity(seen.view.sample);
   return seen;
@@ -159,6 +159,15 @@ std::vector<SeenPaint> look(const spectra::Spectrum& reflectance, const Target& 
   return all;
 }
 
+std::vector<const Paint*> within_windows(const Atlas& atlas, const Target& target,
+                                         const RankingOptions& options) {
+  std::vector<const Paint*> paints;
+  for (const Paint& paint : atlas.paints) {
+    if (!rejected(paint, options, target)) paints.push_back(&paint);
+  }
+  return paints;
+}
+
 Ranking rank(const Atlas& atlas, const Target& target, const std::vector<spectra::LitRoom>& rooms,
              const RankingOptions& options) {
   require_sound(target, options.windows);
@@ -167,7 +176,7 @@ Ranking rank(const Atlas& atlas, const Target& target, const std::vector<spectra
   std::vector<SeenPaint> seen;
   double enough = std::numeric_limits<double>::infinity();  // what the best must be below
   for (const Paint& paint : atlas.paints) {
-    if (rejected(paint, options.windows, target)) {
+    if (rejected(paint, options, target)) {
       ++ranking.rejected;
       continue;
     }

@@ -42,6 +42,8 @@ struct RankingOptions {
   spectra::ViewingChoices viewing;
   spectra::Judgement judgement = spectra::Judgement::mean;
   std::size_t top = std::numeric_limits<std::size_t>::max();  ///< how many of the best are kept
+  appearance::SwatchCondition swatch =
+      appearance::standard_swatch();  ///< what the windows see the paints on
 };
 
 /// A paint on the viewed wall of the room, in one lighting.
@@ -87,6 +89,10 @@ struct Ranking {
 /// One distance from theirs.
 [[nodiscard]] double judged(spectra::Judgement judgement, const std::vector<SeenPaint>& seen,
                             const std::vector<spectra::LitRoom>& rooms);
+
+/// Those of the atlas that the windows of `options` let pass.
+[[nodiscard]] std::vector<const Paint*> within_windows(const Atlas& atlas, const Target& target,
+                                                       const RankingOptions& options);
 
 /// Every paint of the atlas, by how near it looks in the room to the target. The room is asked once
 /// in each lighting for each paint that the windows let pass, in the atlas's order; what it throws

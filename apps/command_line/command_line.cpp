@@ -99,6 +99,8 @@ void add_options(CLI::App& command, RankOptions& options) {
       .add_option("--max-dJ", options.windows.lightness,
                   "leave out paints whose swatch differs more than this in lightness")
       ->check(kPositive);
+  command.add_flag("--robust", options.robust,
+                   "order by the largest distance over the choices of white, background and size");
   command.add_option("--max-dC", options.windows.chroma, "the same in chroma")->check(kPositive);
   command.add_option("--max-dh", options.windows.hue_deg, "the same in hue, degrees")
       ->check(kPositive);
@@ -375,6 +377,8 @@ void add_verify_command(CLI::App& program, CommandLine& line) {
   const auto verified = verify.runs(verify_engine, line);
   verify.app().add_option("--out", verified->out,
                           "folder for verify.csv (default: nothing is written)");
+  verify.app().add_flag("--measured{scenes/measured}", verified->measured,
+                        "compare with measured rooms instead (=FOLDER, default scenes/measured)");
 }
 
 }  // namespace

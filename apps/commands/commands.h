@@ -57,7 +57,8 @@ struct ShaderCommand {
 };
 
 struct VerifyCommand {
-  std::string out;  ///< folder; empty: nothing is written
+  std::string out;       ///< folder; empty: nothing is written
+  std::string measured;  ///< folder of the measured rooms to compare with; empty: closed forms
 };
 
 Exit check_room(const RoomCommand& command, const Session& session);
@@ -76,5 +77,6 @@ Exit solve_brick(const FileCommand& command, const Session& session);
 Exit relight_picture(const RelightCommand& command, const Session& session);
 Exit print_shader(const ShaderCommand& command, const Session& session);
 Exit verify_engine(const VerifyCommand& command, const Session& session);
+Exit compare_measured(const VerifyCommand& command, const Session& session);
 
 }  // namespace apps

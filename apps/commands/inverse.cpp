@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "apps/commands/commands.h"
+#include "apps/pictures/model_spread_picture.h"
 #include "apps/reports/colour_reports.h"
 #include "apps/reports/csv.h"
 #include "apps/reports/inverse_report.h"
+#include "apps/reports/model_spread_report.h"
+#include "apps/studies/model_spread.h"
 #include "apps/studies/paint_wish.h"
 #include "apps/studies/painted_room.h"
 #include "paints/atlas_file.h"
@@ -54,7 +57,7 @@ Exit invert_room(const RankCommand& command, const Session& session) {
   RoomRun run = open_room(command.rooms, "inverse", to_json(options), session);
   require_one_group(run);
   const scenes::TargetColour& target = target_of(run);
-  const paints::Target wish = wished(run, target);
+  require_wish(run);
   require_painted_view(run);
   const scenes::PaintTask& task = run.room.paint.front();
   const paints::Atlas atlas =
@@ -62,6 +65,11 @@ Exit invert_room(const RankCommand& command, const Session& session) {
   run.clock.stop("atlas");
 
   PaintedRoom painted(run, options, out, highest_reflectance(atlas, target));
+  const auto here = light_here(run, painted);
+  const auto wish_under = [&](const spectra::ViewingChoices& viewing) {
+    return wished(run, target, swatch_of(run, target, viewing, here));
+  };
+  const paints::Target wish = wish_under(run.room.viewing);
   const InverseRun inverse = seeing(run, [&] { return aimed(run, painted, wish); });
   run.clock.stop("inverse");
   const std::vector<spectra::LitRoom> rooms = painted.rooms();
@@ -72,7 +80,16 @@ Exit invert_room(const RankCommand& command, const Session& session) {
                          .judgement = run.room.judgement});
   });
   run.clock.stop("rank");
+  const ModelChoices choices = model_choices(run.room.viewing, wish_under);
+  RankedSpread spread =
+      ranked_spread(run, paints::within_windows(atlas, wish, {}), rooms, options.distance, choices,
+                    [&](const paints::Paint& p) { return paint_name(atlas, p); });
+  spread.told.rows.insert(
+      spread.told.rows.begin(),
+      spread_row(run, "inverse", inverse.answer.reflectance, rooms, choices, options.distance));
+  run.clock.stop("model spread");
 
+  run.record["model_spread"] = describe(spread.told);
   run.record["inverse"] = describe(inverse, wish);
   run.record["response"] = painted.record();
   const int top = options.top > 0 ? options.top : task.top;
@@ -82,12 +99,17 @@ Exit invert_room(const RankCommand& command, const Session& session) {
       {.path = out / "inverse.csv", .text = bands_csv(inverse.answer)},
       {.path = out / "appearance.csv", .text = appearance_csv(inverse, rooms, wish)},
       {.path = out / "ranking.csv", .text = ranking_csv(ranking, atlas, wish, top, {})}};
+  for (OutputFile& file : model_spread_files(out, run.room.name, spread.told)) {
+    files.push_back(std::move(file));
+  }
   for (OutputFile& file : painted.files()) files.push_back(std::move(file));
   RunResult result = finish(run, painted.converged(), std::move(files), out);
-  result.text = inverse_text(inverse, rooms, ranking, atlas);
+  result.text = inverse_text(inverse, rooms, ranking, atlas) +
+                model_spread_text(spread.told, "the look of this reflectance");
   result.data = result.record["inverse"];
   result.data["status"] = result.record["status"];
   result.data["folder"] = out.string();
+  result.data["model_spread"] = run.record["model_spread"];
   return print_result(result, session);
 }
 

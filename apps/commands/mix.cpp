@@ -206,7 +206,8 @@ Exit mix_room(const MixCommand& command, const Session& session) {
   RoomRun run = open_room(command.room, "mix", to_json(options), session);
   require_one_group(run);
   const scenes::TargetColour& target = target_of(run);
-  Mixing mixing{.ingredients = ingredients_of(run, options), .wish = wished(run, target)};
+  Mixing mixing{.ingredients = ingredients_of(run, options), .wish = {}};
+  require_wish(run);
   run.clock.stop("atlas");
   require_painted_view(run);
 
@@ -216,6 +217,8 @@ Exit mix_room(const MixCommand& command, const Session& session) {
     report_notes(
         {fmt::format("mixing for the first lighting, \"{}\"", painted.lightings().front().name)});
   }
+  mixing.wish =
+      wished(run, target, swatch_of(run, target, run.room.viewing, light_here(run, painted)));
   const int top = options.rank.top > 0 ? options.rank.top : run.room.paint.front().top;
   search(mixing, run, painted, static_cast<std::size_t>(top), options, thread_count(session));
   run.clock.stop("mix");

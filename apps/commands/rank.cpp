@@ -7,7 +7,10 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/scheme.h"
+#include "apps/pictures/model_spread_picture.h"
 #include "apps/reports/colour_reports.h"
+#include "apps/reports/model_spread_report.h"
+#include "apps/studies/model_spread.h"
 #include "apps/studies/paint_wish.h"
 #include "apps/studies/painted_room.h"
 #include "apps/studies/resolve.h"
@@ -22,7 +25,8 @@ constexpr std::size_t kTableRows = 10;
 /// The target's own spectrum, then the `top` best paints, each on the swatch and in the room, in
 /// the first lighting.
 std::vector<Shift> shifts_of(const RoomRun& run, const spectra::LitRoom& room,
-                             const paints::Ranking& ranking, const paints::Atlas& atlas, int top) {
+                             const paints::Ranking& ranking, const paints::Atlas& atlas, int top,
+                             const appearance::SwatchCondition& swatch) {
   const std::string& surface = surface_name(run, viewed_point(run));
   const scenes::TargetColour& target = *run.room.paint.front().target;
   std::vector<Shift> shifts;
@@ -31,7 +35,7 @@ std::vector<Shift> shifts_of(const RoomRun& run, const spectra::LitRoom& room,
         appearance::view_of_room(room.view(*reflectance), run.room.viewing);
     shifts.push_back({.paint = target.name,
                       .surface = surface,
-                      .swatch = seen_on_swatch(*reflectance),
+                      .swatch = seen_on_swatch(*reflectance, swatch),
                       .room = seen_in_room(view)});
   }
   for (int i = 0; i < std::min(top, static_cast<int>(ranking.paints.size())); ++i) {
@@ -39,7 +43,7 @@ std::vector<Shift> shifts_of(const RoomRun& run, const spectra::LitRoom& room,
     shifts.push_back({.paint = paint_name(atlas, *ranked.paint),
                       .surface = surface,
                       .reconstructed = atlas.reconstructed,
-                      .swatch = seen_on_swatch(ranked.paint->reflectance),
+                      .swatch = seen_on_swatch(ranked.paint->reflectance, swatch),
                       .room = {ranked.seen.front().view.sample, ranked.seen.front().correlates}});
   }
   return shifts;
@@ -151,7 +155,7 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
   RoomRun run = open_room(path, "rank", to_json(options), session);
   if (run.room.paint.size() > 1) return rank_schemes(run, options, out);
   const scenes::TargetColour& target = target_of(run);
-  const paints::Target wish = wished(run, target);
+  require_wish(run);
   const paints::Atlas atlas = paints::load_atlas(
       options.atlas.empty() ? run.room.paint.front().atlas : options.atlas, run.room.grid);
   run.clock.stop("atlas");
@@ -159,22 +163,36 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
 
   PaintedRoom painted(run, options, out, highest_reflectance(atlas, target));
   const std::vector<spectra::LitRoom> rooms = painted.rooms();
+  const auto here = light_here(run, painted);
+  const appearance::SwatchCondition swatch = swatch_of(run, target, run.room.viewing, here);
+  const paints::Target wish = wished(run, target, swatch);
   const int top = options.top > 0 ? options.top : run.room.paint.front().top;
-  const paints::Ranking ranking = seeing(run, [&] {
+  const auto kept = static_cast<std::size_t>(std::max(top, options.resolve_top));
+  paints::Ranking ranking = seeing(run, [&] {
     return paints::rank(atlas, wish, rooms,
                         {.windows = options.windows,
                          .distance = options.distance,
                          .viewing = run.room.viewing,
                          .judgement = run.room.judgement,
-                         .top = static_cast<std::size_t>(std::max(top, options.resolve_top))});
+                         .top = options.robust ? atlas.paints.size() : kept,
+                         .swatch = swatch});
   });
   run.clock.stop("rank");
+  const ModelChoices choices = model_choices(run.room.viewing, [&](const auto& viewing) {
+    return wished(run, target, swatch_of(run, target, viewing, here));
+  });
+  const RankedSpread spread = ranked_spread(
+      run, paints::within_windows(atlas, wish, {.windows = options.windows, .swatch = swatch}),
+      rooms, options.distance, choices,
+      [&](const paints::Paint& p) { return paint_name(atlas, p); });
+  if (options.robust) order_robustly(ranking, spread.ranked, kept);
+  run.clock.stop("model spread");
   const Resolved resolved =
       resolve(run, painted, winners_of(ranking), {{.atlas = &atlas, .target = wish}}, options);
   run.clock.stop("resolve");
   talk_about(ranking, atlas);
 
-  const std::vector<Shift> shifts = shifts_of(run, rooms.front(), ranking, atlas, top);
+  const std::vector<Shift> shifts = shifts_of(run, rooms.front(), ranking, atlas, top, swatch);
   run.record["ranking"] = describe_ranking(ranking, atlas, wish);
   if (!ranking.paints.empty()) {
     const appearance::RoomView& view = ranking.paints.front().seen.front().view;
@@ -193,17 +211,23 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
     files.push_back(
         {.path = out / "scenarios.csv", .text = scenarios_csv(ranking, atlas, rooms, top)});
   }
+  run.record["model_spread"] = describe(spread.told);
+  for (OutputFile& file : model_spread_files(out, run.room.name, spread.told)) {
+    files.push_back(std::move(file));
+  }
   for (OutputFile& file : painted.files()) files.push_back(std::move(file));
   RunResult result = finish(run, painted.converged(), std::move(files), out);
   const auto count = std::min(static_cast<std::size_t>(top), ranking.paints.size());
   result.text = best_table(ranking, shifts, count);
   if (rooms.size() > 1) result.text += constancy_text(constant);
+  result.text += model_spread_text(spread.told, "the best paint");
   result.data = {{"status", result.record["status"]},
                  {"folder", out.string()},
                  {"target", result.record["ranking"]["target"]},
                  {"rejected_by_windows", ranking.rejected},
                  {"undefined", ranking.undefined},
-                 {"paints", best_list(ranking, shifts, count)}};
+                 {"paints", best_list(ranking, shifts, count)},
+                 {"model_spread", run.record["model_spread"]}};
   if (rooms.size() > 1) result.data["most_constant"] = constant;
   return result;
 }

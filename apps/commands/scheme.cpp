@@ -4,8 +4,11 @@
 
 #include <algorithm>
 
+#include "apps/pictures/model_spread_picture.h"
 #include "apps/reports/colour_reports.h"
 #include "apps/reports/csv.h"
+#include "apps/reports/model_spread_report.h"
+#include "apps/studies/model_spread.h"
 #include "apps/studies/paint_wish.h"
 #include "apps/studies/painted_room.h"
 #include "apps/studies/resolve.h"
@@ -21,6 +24,7 @@ constexpr std::size_t kTableRows = 10;
 struct Groups {
   std::vector<paints::Atlas> atlases;
   std::vector<paints::SchemeGroup> groups;
+  std::vector<appearance::SwatchCondition> swatches;  ///< of the targets
   double highest_reflectance = 0;
 };
 
@@ -35,9 +39,9 @@ Groups groups_of(const RoomRun& run, const RankOptions& options) {
   for (std::size_t g = 0; g < count; ++g) {
     const scenes::TargetColour& target = target_of(run, g);
     require_painted_view(run, g);
-    all.groups.push_back({.atlas = &all.atlases[g],
-                          .target = wished(run, target, g),
-                          .weight = run.room.paint[g].weight});
+    require_wish(run, g);
+    all.groups.push_back(
+        {.atlas = &all.atlases[g], .target = {}, .weight = run.room.paint[g].weight});
     all.highest_reflectance =
         std::max(all.highest_reflectance, highest_reflectance(all.atlases[g], target));
   }
@@ -134,10 +138,33 @@ std::vector<Shift> shifts_of(const RoomRun& run, const Groups& groups,
     shifts.push_back({.paint = paint_name(groups.atlases[g], *scheme.paints[g]),
                       .surface = surface_name(run, viewed_point(run, g)),
                       .reconstructed = groups.atlases[g].reconstructed,
-                      .swatch = seen_on_swatch(scheme.paints[g]->reflectance),
+                      .swatch = seen_on_swatch(scheme.paints[g]->reflectance, groups.swatches[g]),
                       .room = {seen.view.sample, seen.correlates}});
   }
   return shifts;
+}
+
+/// The paints of the best scheme under every choice of the model, each group as its own viewer sees
+/// it.
+ModelSpread spread_of(const RoomRun& run, const PaintedRoom& painted, const Groups& groups,
+                      const paints::SchemeRanking& ranking, paints::Distance distance,
+                      const std::vector<std::optional<spectra::ViewedLight>>& here) {
+  ModelSpread spread;
+  if (ranking.schemes.empty()) return spread;
+  const std::vector<const paints::Paint*>& best = ranking.schemes.front().paints;
+  std::vector<spectra::Spectrum> paints;
+  for (const paints::Paint* paint : best) paints.push_back(paint->reflectance);
+  for (std::size_t g = 0; g < best.size(); ++g) {
+    spread.choices = model_choices(run.room.viewing, [&](const auto& viewing) {
+      const scenes::TargetColour& target = target_of(run, g);
+      return wished(run, target, swatch_of(run, target, viewing, here[g]), g);
+    });
+    const int group = static_cast<int>(g);
+    spread.rows.push_back(spread_row(run, paint_name(groups.atlases[g], *best[g]), paints[g],
+                                     painted.rooms(group, group, paints), spread.choices,
+                                     distance));
+  }
+  return spread;
 }
 
 Json scheme_list(const Groups& groups, const paints::SchemeRanking& ranking) {
@@ -160,9 +187,19 @@ RunResult rank_schemes(RoomRun& run, const RankOptions& options, const std::file
     throw room_fault(run, "/paint", "names several groups, and windows are for one",
                      "leave out --max-dJ, --max-dC and --max-dh");
   }
-  const Groups groups = groups_of(run, options);
+  if (options.robust) {
+    throw room_fault(run, "/paint", "names several groups, and --robust is for one",
+                     "leave out --robust");
+  }
+  Groups groups = groups_of(run, options);
   run.clock.stop("atlas");
   PaintedRoom painted(run, options, out, groups.highest_reflectance);
+  std::vector<std::optional<spectra::ViewedLight>> here;
+  for (std::size_t g = 0; g < groups.groups.size(); ++g) {
+    here.push_back(light_here(run, painted, g));
+    groups.swatches.push_back(swatch_of(run, target_of(run, g), run.room.viewing, here[g]));
+    groups.groups[g].target = wished(run, target_of(run, g), groups.swatches[g], g);
+  }
   const int top = options.top > 0 ? options.top : run.room.paint.front().top;
   const paints::SchemeRanking ranking =
       search(run, painted, groups, options, static_cast<std::size_t>(top));
@@ -175,15 +212,24 @@ RunResult rank_schemes(RoomRun& run, const RankOptions& options, const std::file
                            {"exhaustive", ranking.exhaustive},
                            {"guarantee", guarantee(ranking)},
                            {"resolved", resolved.record("schemes")}};
+  const ModelSpread spread = spread_of(run, painted, groups, ranking, options.distance, here);
+  run.clock.stop("model spread");
   std::vector<OutputFile> files{
       {.path = out / "schemes.csv", .text = schemes_csv(run, groups, ranking, resolved.distance)}};
   if (!ranking.schemes.empty()) {
     files.push_back({.path = out / "shift.csv",
                      .text = shift_csv(shifts_of(run, groups, ranking.schemes.front()))});
+    run.record["model_spread"] = describe(spread);
+    for (OutputFile& file : model_spread_files(out, run.room.name, spread)) {
+      files.push_back(std::move(file));
+    }
   }
   for (OutputFile& file : painted.files()) files.push_back(std::move(file));
   RunResult result = finish(run, painted.converged(), std::move(files), out);
   result.text = best_table(run, groups, ranking) + guarantee(ranking) + "\n";
+  if (!ranking.schemes.empty()) {
+    result.text += model_spread_text(spread, "\"" + run.room.paint.front().name + "\"");
+  }
   result.data = {{"status", result.record["status"]},
                  {"folder", out.string()},
                  {"guarantee", guarantee(ranking)},

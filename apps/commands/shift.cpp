@@ -3,7 +3,10 @@
 #include <fstream>
 
 #include "apps/commands/commands.h"
+#include "apps/pictures/model_spread_picture.h"
 #include "apps/reports/colour_reports.h"
+#include "apps/reports/model_spread_report.h"
+#include "apps/studies/model_spread.h"
 #include "apps/studies/painted_room.h"
 #include "apps/studies/surface_views.h"
 
@@ -16,6 +19,26 @@ std::string paint_of(const Json& room_file, const scenes::Surface& surface) {
   const std::string key = surfaces.contains(surface.name) ? surface.name : "walls";
   const Json reflectance = surfaces.value(key, Json());
   return reflectance.is_object() ? reflectance.value("paint", surface.name) : surface.name;
+}
+
+/// Each surface under every choice of the model, and how far it is from its own swatch.
+ModelSpread spread_of(const RoomRun& run, const solver::RoomSolution& solution,
+                      const std::vector<Shift>& shifts) {
+  ModelSpread spread;
+  for (std::size_t k = 0; k < shifts.size(); ++k) {
+    const spectra::ViewedLight light =
+        seeing(run, [&] { return solver::viewed_light(run.room, run.transport, solution, k); });
+    const spectra::Spectrum& reflectance =
+        solution.reflectances[static_cast<std::size_t>(run.transport.viewed[k].at.surface)];
+    const appearance::Correlates& swatch = shifts[k].swatch.correlates;
+    const paints::Target own =
+        swatch.status.all_defined() ? paints::target_of(swatch) : paints::Target{};
+    spread.choices = model_choices(run.room.viewing, [&](const auto&) { return own; });
+    spread.rows.push_back(spread_row(
+        run, shifts[k].surface, reflectance,
+        {{.name = "", .weight = 1, .view = [&](const auto&) { return light; }}}, spread.choices));
+  }
+  return spread;
 }
 
 }  // namespace
@@ -52,13 +75,18 @@ Exit shift_room(const RoomCommand& command, const Session& session) {
                       .room = seen_in_room(view)});
   }
   run.clock.stop("view");
+  const ModelSpread spread = spread_of(run, solution, shifts);
+  run.record["model_spread"] = describe(spread);
 
-  RunResult result = finish(run, solution.radiosity.converged,
-                            {{.path = out / "shift.csv", .text = shift_csv(shifts)}}, out);
-  result.text = shift_table(shifts);
+  std::vector<OutputFile> files = model_spread_files(out, run.room.name, spread);
+  files.insert(files.begin(), {.path = out / "shift.csv", .text = shift_csv(shifts)});
+  RunResult result = finish(run, solution.radiosity.converged, std::move(files), out);
+  result.text =
+      shift_table(shifts) + model_spread_text(spread, "\"" + shifts.front().surface + "\"");
   result.data = {{"status", result.record["status"]},
                  {"folder", out.string()},
-                 {"shifts", shift_list(shifts)}};
+                 {"shifts", shift_list(shifts)},
+                 {"model_spread", run.record["model_spread"]}};
   return print_result(result, session);
 }
 

@@ -52,6 +52,7 @@ void write(const std::filesystem::path& out, const std::string& csv, const Json&
 }  // namespace
 
 Exit verify_engine(const VerifyCommand& command, const Session& session) {
+  if (!command.measured.empty()) return compare_measured(command, session);
   if (!command.out.empty()) require_writable(command.out);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<solver::Check> checks = run_battery();

@@ -67,6 +67,7 @@ Json to_json(const RankOptions& options) {
   json["max_dC"] = to_json(options.windows.chroma);
   json["max_dh_deg"] = to_json(options.windows.hue_deg);
   json["distance"] = name_in(distance_names(), options.distance);
+  json["robust"] = options.robust;
   return json;
 }
 

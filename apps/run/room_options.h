@@ -42,6 +42,7 @@ struct RankOptions {
   std::string response;  ///< file of the room response; empty: response.json beside the results
   paints::Windows windows;
   paints::Distance distance = paints::Distance::jab;
+  bool robust = false;  ///< order by the largest distance over the choices of the model
 };
 
 /// How the paints of an atlas are mixed for a room; of `rank`, windows and distance have no

@@ -44,6 +44,9 @@ std::string why_not_ranked(const RoomRun& run) {
   if (paint.empty()) return "the room paints no surfaces";
   if (paint.size() > 1) return "the room paints several groups of surfaces";
   if (!paint.front().target) return "the room names no target";
+  if (paint.front().target->seen == scenes::SwatchPlace::here) {
+    return "the target is held in the room, so it changes with the settings";
+  }
   const int viewed = viewed_point(run).surface;
   const bool painted = scenes::paint_group(run.room, viewed) == 0;
   return painted ? "" : "the viewed surface is not painted";
@@ -54,8 +57,9 @@ std::string why_not_ranked(const RoomRun& run) {
 RankingWish ranking_wish(const RoomRun& run) {
   if (std::string why = why_not_ranked(run); !why.empty()) return {.task = {}, .why_not = why};
   const scenes::TargetColour& target = target_of(run);
+  const appearance::SwatchCondition swatch = swatch_of(run, target, run.room.viewing, std::nullopt);
   RankingTask task{.atlas = paints::load_atlas(run.room.paint.front().atlas, run.room.grid),
-                   .target = wished(run, target)};
+                   .target = wished(run, target, swatch)};
   task.highest_reflectance = highest_reflectance(task.atlas, target);
   if (task.atlas.paints.size() < kTopPaints) {
     return {.task = {}, .why_not = fmt::format("the atlas has fewer than {} paints", kTopPaints)};

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <variant>
 
-#include "apps/studies/painted_room.h"
-
 namespace apps {
 namespace {
 
@@ -26,9 +24,38 @@ const scenes::TargetColour& target_of(const RoomRun& run, std::size_t group) {
   return *run.room.paint[group].target;
 }
 
-paints::Target wished(const RoomRun& run, const scenes::TargetColour& target, std::size_t group) {
+appearance::SwatchCondition swatch_of(const RoomRun& run, const scenes::TargetColour& target,
+                                      const spectra::ViewingChoices& viewing,
+                                      const std::optional<spectra::ViewedLight>& here) {
+  appearance::SwatchCondition swatch = appearance::standard_swatch();
+  if (target.seen == scenes::SwatchPlace::own) {
+    swatch =
+        appearance::swatch_in(target.own.irradiance, target.own.background_y, target.own.surround);
+  } else if (target.seen == scenes::SwatchPlace::here) {
+    swatch.light = here.value().white;
+    swatch.conditions =
+        seeing(run, [&] { return appearance::view_of_room(*here, viewing).conditions; });
+  }
+  if (viewing.size_effect) swatch.size = appearance::size_effect(target.angle_deg);
+  return swatch;
+}
+
+std::optional<spectra::ViewedLight> light_here(const RoomRun& run, PaintedRoom& painted,
+                                               std::size_t group) {
+  if (target_of(run, group).seen != scenes::SwatchPlace::here) return std::nullopt;
+  return painted.as_painted(static_cast<int>(group));
+}
+
+void require_wish(const RoomRun& run, std::size_t group) {
+  const scenes::TargetColour& target = target_of(run, group);
+  if (target.seen == scenes::SwatchPlace::here) return;
+  (void)wished(run, target, swatch_of(run, target, run.room.viewing, std::nullopt), group);
+}
+
+paints::Target wished(const RoomRun& run, const scenes::TargetColour& target,
+                      const appearance::SwatchCondition& swatch, std::size_t group) {
   if (const auto* reflectance = std::get_if<spectra::Spectrum>(&target.colour)) {
-    const appearance::Correlates correlates = seen_on_swatch(*reflectance).correlates;
+    const appearance::Correlates correlates = seen_on_swatch(*reflectance, swatch).correlates;
     if (!correlates.status.all_defined()) {
       throw room_fault(run, pointer(run, group, "target"),
                        "CIECAM02 does not define how this swatch looks",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace apps {
@@ -14,6 +15,21 @@ std::vector<spectra::LitRoom> lightings_of(const scenes::Room& room) {
     lightings.push_back({.name = s.name, .weight = s.weight});
   }
   return lightings;
+}
+
+/// The paint that each group has now; none if surfaces of a group differ.
+std::vector<spectra::Spectrum> present_paints(const scenes::Room& room) {
+  std::vector<spectra::Spectrum> paints;
+  for (const scenes::PaintTask& group : room.paint) {
+    const auto reflectance = [&](int s) -> const spectra::Spectrum& {
+      return room.surfaces[static_cast<std::size_t>(s)].reflectance;
+    };
+    paints.push_back(reflectance(group.surfaces.front()));
+    for (const int s : group.surfaces) {
+      if ((reflectance(s).values != paints.back().values).any()) return {};
+    }
+  }
+  return paints;
 }
 
 }  // namespace
@@ -87,6 +103,18 @@ solver::RoomSolution PaintedRoom::solve(const std::vector<spectra::Spectrum>& pa
   ++solves_;
   not_converged_ += solution.radiosity.converged ? 0 : 1;
   return solution;
+}
+
+spectra::ViewedLight PaintedRoom::as_painted(int group) {
+  const std::vector<spectra::Spectrum> now = present_paints(run_.room);
+  const bool known = std::ranges::all_of(now, [&](const spectra::Spectrum& paint) {
+    return (paint.values <= views_.room.highest_reflectance).all();
+  });
+  if (!now.empty() && known) {
+    return rooms(group, group, now).front().view(now[static_cast<std::size_t>(group)]);
+  }
+  const solver::RoomSolution solution = solve({}, 0);
+  return solver::viewed_light(run_.room, run_.transport, solution, static_cast<std::size_t>(group));
 }
 
 bool PaintedRoom::converged() const { return not_converged_ == 0 && views_.room.converged; }

@@ -36,6 +36,10 @@ class PaintedRoom {
   [[nodiscard]] solver::RoomSolution solve(const std::vector<spectra::Spectrum>& paints,
                                            std::size_t lighting = 0);
 
+  /// What the viewer of a group sees in the room as it is painted now, in the first lighting: by
+  /// the response where each group has one paint now, else by a full solve.
+  [[nodiscard]] spectra::ViewedLight as_painted(int group);
+
   [[nodiscard]] bool converged() const;
 
   /// For run.json.
