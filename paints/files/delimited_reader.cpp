@@ -273,8 +273,8 @@ void read_delimited(std::string_view text, const ReadChoices& choices, PaintDraf
   }
   const Reading& reading = sound.front();
   draft.faults = reading.table.faults;
+  if (!draft.faults.empty()) return;  // what follows a stray quote is cut wrongly
   if (!reading.layout) {
-    if (!draft.faults.empty()) return;
     const CsvRow& first = reading.table.rows.front();
     draft.fault({.at = first.places[0], .pointer = first.cells[0]},
                 fmt::format("no wavelengths and no colours in {} columns separated by {}",
