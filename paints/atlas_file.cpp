@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "appearance/spectra/spectrum_file.h"
 #include "appearance/spectra/spectrum_library.h"
 #include "appearance/spectra/text/input_error.h"
+#include "paints/files/paint_reader.h"
 
 namespace paints {
 namespace {
@@ -24,13 +24,20 @@ Atlas on_grid(const spectra::SpectrumSet& set, const spectra::Grid& grid) {
   return atlas;
 }
 
-Atlas read_atlas(const std::string& path, const spectra::Grid& grid) {
-  const spectra::SpectrumFile file =
-      spectra::read_spectrum_file(path, spectra::CurveKind::reflectance);
-  // The header gives every curve the same wavelengths, so the first one speaks for all.
-  require_coverage(path, file.set.entries.front().samples, grid);
-  Atlas atlas = on_grid(file.set, grid);
-  atlas.percent = file.percent;
+Atlas read_atlas(const std::string& path_and_choices, const spectra::Grid& grid) {
+  const PaintFile file = read_paint_file(path_and_choices);
+  Atlas atlas{.name = path_and_choices,
+              .source = path_and_choices,
+              .percent = file.percent,
+              .notes = file.notes};
+  atlas.paints.reserve(file.paints.size());
+  for (const FilePaint& paint : file.paints) {
+    require_coverage(file.path, paint.reflectance, grid);
+    atlas.reconstructed = atlas.reconstructed || paint.reconstructed;
+    atlas.paints.push_back({.name = paint.name,
+                            .reflectance = spectra::reflectance_on(grid, paint.reflectance),
+                            .label = paint.label});
+  }
   return atlas;
 }
 
@@ -46,7 +53,9 @@ void require_coverage(const std::string& path, const spectra::Samples& curve,
         .column = 1,
         .pointer = "header",
         .problem = fmt::format("{} missing", missing),
-        .remedy = fmt::format("give the curves for {}..{} nm", grid.first_nm, grid.last_nm())}});
+        .remedy = fmt::format("give the curves for {}..{} nm; of up to 10 nm ends=hold keeps "
+                              "the end values",
+                              grid.first_nm, grid.last_nm())}});
 }
 
 Atlas load_atlas(const std::string& name_or_path, const spectra::Grid& grid) {
@@ -54,7 +63,7 @@ Atlas load_atlas(const std::string& name_or_path, const spectra::Grid& grid) {
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
     return on_grid(spectra::atlas(name_or_path), grid);
   }
-  if (!std::filesystem::exists(name_or_path)) {
+  if (!std::filesystem::exists(paint_source(name_or_path).path)) {
     throw spectra::FileError(fmt::format("{}: neither a file nor one of the atlases {}",
                                          name_or_path, fmt::join(names, ", ")));
   }

@@ -16,11 +16,12 @@ struct Atlas {
   std::string name;
   std::string source;
   bool reconstructed = false;
-  bool percent = false;  ///< a file gave percent; it was divided by 100
+  bool percent = false;            ///< a file gave percent; it was divided by 100
+  std::vector<std::string> notes;  ///< what was assumed in reading the file
   std::vector<Paint> paints;
 };
 
-/// A compiled-in atlas by name, else a CSV file by path (spectra/spectrum_file.h).
+/// A compiled-in atlas by name, else a file by path and choices (paints/files/paint_reader.h).
 /// @throws spectra::InputError  a faulty file, or wavelengths that do not cover the grid
 /// @throws spectra::FileError   neither an atlas nor a readable file
 [[nodiscard]] Atlas load_atlas(const std::string& name_or_path,

@@ -51,10 +51,14 @@ bool holds_two_constants(const std::string& name_or_path) {
       !std::filesystem::exists(name_or_path)) {
     return false;
   }
-  const Rows rows = rows_by_base(spectra::read_csv(name_or_path));
-  return std::any_of(rows.of.begin(), rows.of.end(), [](const auto& entry) {
-    return entry.second.first >= 0 && entry.second.second >= 0;
-  });
+  try {
+    const Rows rows = rows_by_base(spectra::read_csv(name_or_path));
+    return std::any_of(rows.of.begin(), rows.of.end(), [](const auto& entry) {
+      return entry.second.first >= 0 && entry.second.second >= 0;
+    });
+  } catch (const spectra::InputError&) {
+    return false;  // no CSV of ours; if it is of nobody, load_atlas says what is wrong
+  }
 }
 
 void require_pairs_above_zero(const CsvTable& csv, const Rows& rows) {

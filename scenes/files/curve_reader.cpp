@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "appearance/spectra/photometry.h"
 #include "appearance/spectra/reconstruct.h"
 #include "appearance/spectra/spectrum_library.h"
+#include "scenes/files/colour_forms.h"
 
 namespace scenes {
 namespace {
@@ -47,6 +49,28 @@ Samples read_samples(const JsonNode& node, const Limits& limits) {
   for (const double v : samples.nm) readable = readable && std::isfinite(v);
   for (const double v : samples.values) readable = readable && std::isfinite(v);
   return readable ? samples : Samples{};
+}
+
+Samples samples_of(const Spectrum& spectrum) {
+  Samples samples;
+  for (int k = 0; k < spectrum.grid.count; ++k) {
+    samples.nm.push_back(spectrum.grid.wavelength_nm(k));
+    samples.values.push_back(spectrum.values[k]);
+  }
+  return samples;
+}
+
+spectra::SpectrumFile read_lights(const std::string& path) {
+  return spectra::read_spectrum_file(path, spectra::CurveKind::light);
+}
+
+void no_such_curve(const JsonNode& node, const std::string& path, const std::string& name,
+                   const std::vector<std::string>& names) {
+  const std::string near = spectra::nearest_name(name, names);
+  node.fault(fmt::format("{} has no curve \"{}\"", path, name),
+             near.empty() ? fmt::format("it has {}, among them \"{}\"", names.size(),
+                                        names.empty() ? "" : names.front())
+                          : fmt::format("did you mean \"{}\"?", near));
 }
 
 }  // namespace
@@ -101,27 +125,33 @@ Reflectance CurveReader::reflectance(const JsonNode& node) {
     const double rho = node.number(kReflectance);
     return {.spectrum = spectra::constant(grid_, rho), .name = fmt::format("{}", rho)};
   }
-  if (node.has("paint")) return paint(node);
+  if (node.has("paint") || node.has("munsell")) return paint(node);
   if (node.has("reconstruct_srgb")) return reconstructed(node);
   if (node.has("file") || node.has("name")) {
-    return {.spectrum = reflecting(node, from_file(node, Kind::reflectance)), .name = "from file"};
+    return paint_of_file(node);
   }
+  if (states_colour(node)) return stated(node);
   if (node.has("nm") || node.has("values")) {
     return {.spectrum = reflecting(node, read_samples(node, kReflectance)), .name = "from samples"};
   }
   if (node.is(JsonNode::Kind::object) && !node.empty()) {
-    (void)node.object({"nm", "values", "paint", "file", "name", "reconstruct_srgb"});
+    (void)node.object({"nm", "values", "paint", "file", "name", "reconstruct_srgb", "hex", "Lab",
+                       "XYZ", "xyY", "LRV", "munsell"});
   } else {
     node.fault("this is no reflectance",
                "give a number from 0 to below 1, or {\"nm\", \"values\"}, {\"paint\"}, "
-               "{\"file\", \"name\"} or {\"reconstruct_srgb\"}");
+               "{\"file\", \"name\"}, {\"reconstruct_srgb\"}, {\"hex\"}, {\"Lab\"}, {\"XYZ\"}, "
+               "{\"xyY\"}, {\"LRV\"} or {\"munsell\"}");
   }
   return {.spectrum = unreadable()};
 }
 
 Reflectance CurveReader::paint(const JsonNode& node) {
-  const std::string name = node.object({"paint"}).name("paint");
+  const bool munsell = node.has("munsell");
+  std::string name =
+      node.object({munsell ? "munsell" : "paint"}).name(munsell ? "munsell" : "paint");
   if (name.empty()) return {.spectrum = unreadable()};
+  if (munsell) name = "munsell-renotation:" + name;
   try {
     const auto [set, entry] = spectra::find_paint(name);
     return {.spectrum = reflecting(node, entry->samples),
@@ -146,15 +176,25 @@ Reflectance CurveReader::reconstructed(const JsonNode& node) {
     }
     return {.spectrum = unreadable()};
   }
-  Samples samples;
-  for (int k = 0; k < reconstruction.reflectance.grid.count; ++k) {
-    samples.nm.push_back(reconstruction.reflectance.grid.wavelength_nm(k));
-    samples.values.push_back(reconstruction.reflectance.values[k]);
-  }
+  const Samples samples = samples_of(reconstruction.reflectance);
   note(node, "the reflectance was reconstructed from an sRGB colour, not measured");
   return {.spectrum = reflecting(node, samples),
           .reconstructed = true,
           .name = fmt::format("sRGB {} {} {}", rgb[0], rgb[1], rgb[2])};
+}
+
+Reflectance CurveReader::stated(const JsonNode& node) {
+  const NamedColour colour = read_colour(node);
+  if (!colour.colour) return {.spectrum = unreadable()};
+  const spectra::Reconstruction r = spectra::reconstruct_stated(*colour.colour);
+  if (!r.converged) {
+    node.fault("no reflectance below 1 has this colour", "choose a less light or less pure one");
+    return {.spectrum = unreadable()};
+  }
+  note(node, fmt::format("the reflectance was reconstructed from {}, not measured", colour.name));
+  return {.spectrum = reflecting(node, samples_of(r.reflectance)),
+          .reconstructed = true,
+          .name = colour.name};
 }
 
 Spectrum CurveReader::transmittance(const JsonNode& node) {
@@ -199,7 +239,7 @@ Samples CurveReader::curve_of_light(const JsonNode& node) {
     node.fault(error.what(), "see scenes/README.md for the lamps and illuminants there are");
     return {};
   }
-  if (node.has("file") || node.has("name")) return from_file(node, Kind::light);
+  if (node.has("file") || node.has("name")) return light_of_file(node);
   if (node.has("nm") || node.has("values")) return read_samples(node, kPower);
   if (node.is(JsonNode::Kind::object) && !node.empty()) {
     (void)node.object(
@@ -231,13 +271,13 @@ LightShape CurveReader::preset(const JsonNode& node) {
   return {.spectrum = unreadable()};
 }
 
-const spectra::SpectrumFile* CurveReader::file(const JsonNode& node, const std::string& path,
-                                               Kind kind) {
-  const auto known = files_.find({path, kind});
-  if (known != files_.end()) return &known->second;
+template <typename File>
+const File* CurveReader::file(const JsonNode& node, const std::string& path,
+                              std::map<std::string, File>& known,
+                              File (*read)(const std::string& path)) {
+  if (const auto found = known.find(path); found != known.end()) return &found->second;
   try {
-    return &files_.emplace(std::pair(path, kind), spectra::read_spectrum_file(path, kind))
-                .first->second;
+    return &known.emplace(path, read(path)).first->second;
   } catch (const spectra::FileError& error) {
     node.fault(error.what(), "give a path relative to the folder of this file");
   } catch (const spectra::InputError& error) {
@@ -248,28 +288,43 @@ const spectra::SpectrumFile* CurveReader::file(const JsonNode& node, const std::
 }
 
 void CurveReader::check_atlas(const JsonNode& node, const std::string& path) {
-  (void)file(node, path, Kind::reflectance);
+  (void)file(node, path, paint_files_, &paints::read_paint_file);
 }
 
-Samples CurveReader::from_file(const JsonNode& node, Kind kind) {
+Reflectance CurveReader::paint_of_file(const JsonNode& node) {
+  Reflectance reflectance{.spectrum = unreadable(), .name = "from file"};
+  const JsonObject reference = node.object({"file", "name"});
+  const std::string path = reference.name("file"), name = reference.name("name");
+  if (path.empty() || name.empty()) return reflectance;
+  const paints::PaintFile* paints =
+      file(node, resolve(path), paint_files_, &paints::read_paint_file);
+  if (paints == nullptr) return reflectance;
+  const auto found = std::ranges::find(paints->paints, name, &paints::FilePaint::name);
+  if (found == paints->paints.end()) {
+    std::vector<std::string> names;
+    for (const paints::FilePaint& paint : paints->paints) names.push_back(paint.name);
+    no_such_curve(node, path, name, names);
+    return reflectance;
+  }
+  if (paints->percent) note(node, path + " is in percent; divided by 100");
+  for (const std::string& said : paints->notes) note(node, path + ": " + said);
+  reflectance.spectrum = reflecting(node, found->reflectance);
+  reflectance.reconstructed = found->reconstructed;
+  return reflectance;
+}
+
+Samples CurveReader::light_of_file(const JsonNode& node) {
   const JsonObject reference = node.object({"file", "name"});
   const std::string path = reference.name("file"), name = reference.name("name");
   if (path.empty() || name.empty()) return {};
-  const spectra::SpectrumFile* curves = file(node, resolve(path), kind);
+  const spectra::SpectrumFile* curves = file(node, resolve(path), light_files_, &read_lights);
   if (curves == nullptr) return {};
   std::vector<std::string> names;
   for (const spectra::NamedSpectrum& entry : curves->set.entries) {
-    if (entry.name == name) {
-      if (curves->percent) note(node, path + " is in percent; divided by 100");
-      return entry.samples;
-    }
+    if (entry.name == name) return entry.samples;
     names.push_back(entry.name);
   }
-  const std::string near = spectra::nearest_name(name, names);
-  node.fault(fmt::format("{} has no curve \"{}\"", path, name),
-             near.empty() ? fmt::format("it has {}, among them \"{}\"", names.size(),
-                                        names.empty() ? "" : names.front())
-                          : fmt::format("did you mean \"{}\"?", near));
+  no_such_curve(node, path, name, names);
   return {};
 }
 

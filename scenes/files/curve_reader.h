@@ -2,12 +2,12 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "appearance/spectra/spectrum.h"
 #include "appearance/spectra/spectrum_file.h"
 #include "appearance/spectra/text/json_reader.h"
+#include "paints/files/paint_reader.h"
 
 namespace scenes {
 
@@ -34,7 +34,8 @@ class CurveReader {
 
   [[nodiscard]] spectra::Spectrum zero() const { return spectra::constant(grid_, 0); }
 
-  /// A number, { nm, values }, { paint }, { file, name } or { reconstruct_srgb }; 0 <= rho < 1.
+  /// A number, { nm, values }, { paint }, { file, name }, { reconstruct_srgb } or a colour
+  /// (colour_forms.h); 0 <= rho < 1.
   [[nodiscard]] Reflectance reflectance(const spectra::JsonNode& node);
   /// A number or { nm, values }; 0 to 1.
   [[nodiscard]] spectra::Spectrum transmittance(const spectra::JsonNode& node);
@@ -62,9 +63,14 @@ class CurveReader {
   [[nodiscard]] Reflectance reconstructed(const spectra::JsonNode& node);
   [[nodiscard]] LightShape preset(const spectra::JsonNode& node);
   [[nodiscard]] spectra::Samples curve_of_light(const spectra::JsonNode& node);
-  [[nodiscard]] spectra::Samples from_file(const spectra::JsonNode& node, Kind kind);
-  [[nodiscard]] const spectra::SpectrumFile* file(const spectra::JsonNode& node,
-                                                  const std::string& path, Kind kind);
+  [[nodiscard]] Reflectance paint_of_file(const spectra::JsonNode& node);
+  [[nodiscard]] Reflectance stated(const spectra::JsonNode& node);
+  [[nodiscard]] spectra::Samples light_of_file(const spectra::JsonNode& node);
+  /// A file once read stays in `known`; nothing after a fault.
+  template <typename File>
+  [[nodiscard]] const File* file(const spectra::JsonNode& node, const std::string& path,
+                                 std::map<std::string, File>& known,
+                                 File (*read)(const std::string& path));
   [[nodiscard]] std::optional<spectra::Spectrum> on_grid(const spectra::JsonNode& node,
                                                          const spectra::Samples& samples,
                                                          Kind kind);
@@ -77,7 +83,8 @@ class CurveReader {
   spectra::Grid grid_;
   std::string folder_;
   std::vector<std::string> notes_;
-  std::map<std::pair<std::string, Kind>, spectra::SpectrumFile> files_;
+  std::map<std::string, paints::PaintFile> paint_files_;
+  std::map<std::string, spectra::SpectrumFile> light_files_;
 };
 
 }  // namespace scenes

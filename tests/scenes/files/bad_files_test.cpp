@@ -7,6 +7,7 @@
 
 #include "appearance/spectra/spectrum_file.h"
 #include "appearance/spectra/text/csv_reader.h"
+#include "paints/files/paint_reader.h"
 #include "scenes/files/closed_form_json.h"
 #include "scenes/files/room_json.h"
 #include "tests/scenes/room_files.h"
@@ -42,7 +43,7 @@ void read(const BadFile& file) {
   if (file.kind == "room") (void)read_room(path);
   if (file.kind == "cube") (void)read_cube(path);
   if (file.kind == "brick") (void)read_brick(path);
-  if (file.kind == "atlas") (void)read_spectrum_file(path, spectra::CurveKind::reflectance);
+  if (file.kind == "atlas") (void)paints::read_paint_file(path);
   if (file.kind == "light") (void)read_spectrum_file(path, spectra::CurveKind::light);
 }
 
