@@ -68,7 +68,7 @@ void add_mesh_options(CLI::App& command, SolveOptions& options) {
 void add_atlas_options(CLI::App& command, RankOptions& options) {
   add_options(command, options.room);
   command.add_option("--atlas", options.atlas,
-                     "atlas by name, or a CSV file (default: the room's)");
+                     "atlas by name, or a file of paints (default: the room's)");
   command.add_option("--response", options.response,
                      "file of the room response, read if it fits the room, else written (default: "
                      "response.json in the folder)");
@@ -316,6 +316,18 @@ void add_file_commands(CLI::App& program, CommandLine& line) {
       ->required();
   appearance.app().add_flag("--inverse", table->inverse, "J,C,h_deg in, X,Y,Z appended");
   add_out(appearance.app(), table->out, "CSV with the correlates appended");
+
+  Subcommand paints(program, "paints",
+                    "What is in a file of paints: how it was read, X, Y, Z, L*, a*, b*, LRV; and "
+                    "the same in another format",
+                    "shop.csv --out shop.gpl");
+  const auto listed = paints.runs(list_paints, line);
+  paints.app()
+      .add_option(
+          "FILE", listed->in,
+          "CSV, CxF3, CGATS or QTX; FILE?KEY=VALUE,... chooses where it leaves two readings")
+      ->required();
+  paints.app().add_option("--out", listed->out, "write them as .csv, .cxf, .ase or .gpl");
 
   Subcommand cube(program, "cube", "Closed form of six faces at 1 nm [Neumann2004]: radiosity.csv",
                   "scenes/rooms/closed_form/cube.json --out out/cube");

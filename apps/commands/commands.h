@@ -72,6 +72,7 @@ Exit mix_room(const MixCommand& command, const Session& session);
 Exit invert_room(const RankCommand& command, const Session& session);
 Exit batch_rooms(const RankCommand& command, const Session& session);
 Exit convert_table(const FileCommand& command, const Session& session);
+Exit list_paints(const FileCommand& command, const Session& session);
 Exit solve_cube(const FileCommand& command, const Session& session);
 Exit solve_brick(const FileCommand& command, const Session& session);
 Exit relight_picture(const RelightCommand& command, const Session& session);

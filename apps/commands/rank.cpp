@@ -135,6 +135,7 @@ std::string constancy_text(const Json& constant) {
 
 void talk_about(const paints::Ranking& ranking, const paints::Atlas& atlas) {
   if (atlas.percent) report_notes({"the atlas gives percent; divided by 100"});
+  report_notes(atlas.notes);
   if (atlas.reconstructed) {
     report_notes({"the atlas's spectra are reconstructed from colours, not measured"});
   }

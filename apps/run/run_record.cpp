@@ -9,6 +9,7 @@
 
 #include "apps/system/sha256.h"
 #include "apps/system/terminal.h"
+#include "paints/files/paint_reader.h"
 
 namespace apps {
 namespace {
@@ -53,10 +54,11 @@ Json hash_inputs(const fs::path& path, const std::string& atlas) {
   add(path);
   std::ifstream file(path);
   visit_file_names(nlohmann::json::parse(file), [&](const std::string& name) {
-    const fs::path named = path.parent_path() / name;
+    const fs::path named = paints::paint_source((path.parent_path() / name).string()).path;
     if (fs::is_regular_file(named)) add(named);  // else the name of a compiled-in atlas
   });
-  if (fs::is_regular_file(atlas)) add(atlas);
+  const fs::path file_of_atlas = paints::paint_source(atlas).path;
+  if (fs::is_regular_file(file_of_atlas)) add(file_of_atlas);
   return hashes;
 }
 
