@@ -124,9 +124,9 @@ TEST(JabSlope, OfTheEightSumsIsThatOfTheRoom) {
   const ViewedSums sums = viewed_sums(light.light);
   EXPECT_NEAR(sums[4], view_of_room(light.light).illuminance_lx, 1e-9);
   for (const Surround surround : {Surround::neumann, Surround::cie, Surround::dim}) {
-    const Eigen::Vector3d wanted = jab_in(light.light, {surround});
-    EXPECT_LT((jab_of(sums, {surround}) - wanted).norm(), 1e-10);
-    EXPECT_LT((jab_slope(sums, {surround}).jab - wanted).norm(), 1e-10);
+    const Eigen::Vector3d wanted = jab_in(light.light, {.surround = surround});
+    EXPECT_LT((jab_of(sums, {.choices = {.surround = surround}}) - wanted).norm(), 1e-10);
+    EXPECT_LT((jab_slope(sums, {.choices = {.surround = surround}}).jab - wanted).norm(), 1e-10);
   }
 }
 

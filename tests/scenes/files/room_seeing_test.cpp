@@ -23,7 +23,7 @@ json with_target(const json& keys) {
 }
 
 json shop() {
-  return {{"spectrum", {{"illuminant", "F11"}}},
+  return {{"spectrum", {{"illuminant", "A"}}},
           {"illuminance_lx", 800},
           {"Y_b", 30},
           {"surround", "dim"}};
@@ -82,7 +82,8 @@ TEST(RoomSeeing, WhatIsOutsideIsRefusedWithItsPlace) {
   for (const Refusal& r : {
            Refusal{seen_so({{"white", {{"share", 1.5}}}}), "/view/white/share", "1.5"},
            Refusal{seen_so({{"white", {{"share", -0.1}}}}), "/view/white/share", "-0.1"},
-           Refusal{seen_so({{"white", {{"part", 1}}}}), "/view/white/part", "unknown"},
+           Refusal{seen_so({{"white", {{"share", 0.5}, {"part", 1}}}}), "/view/white/part",
+                   "unknown"},
            Refusal{seen_so({{"white", "lamp"}}), "/view/white", "lamp"},
            Refusal{seen_so({{"background", 0}}), "/view/background", "0"},
            Refusal{seen_so({{"background", 120}}), "/view/background", "120"},
