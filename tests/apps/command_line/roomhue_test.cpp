@@ -174,7 +174,8 @@ TEST(Roomhue, RankOrdersTheAtlasByDistance) {
                                  folder.path().string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(names_in(folder.path()),
-              ElementsAre("ranking.csv", "response.json", "run.json", "shift.csv"));
+              ElementsAre("model_spread.csv", "model_spread.svg", "ranking.csv", "response.json",
+                          "run.json", "shift.csv"));
   EXPECT_THAT(first_line(folder / "ranking.csv"),
               StartsWith("rank,paint,distance,J,a_C,b_C,C,h_deg,H,dJ,da_C,db_C,x,y"));
   const auto paints = nlohmann::json::parse(run.out)["paints"];
