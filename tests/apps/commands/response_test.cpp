@@ -63,7 +63,8 @@ TEST(Response, SeveralGroupsGiveSchemes) {
               " --out " + (folder / "out").string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(names_in(folder / "out"),
-              ElementsAre("response.json", "run.json", "schemes.csv", "shift.csv"));
+              ElementsAre("model_spread.csv", "model_spread.svg", "response.json", "run.json",
+                          "schemes.csv", "shift.csv"));
   EXPECT_THAT(first_line(folder / "out/schemes.csv"),
               StartsWith("rank,distance,walls paint,walls distance,walls J"));
   EXPECT_THAT(run.out, HasSubstr("all 36 schemes were compared"));
