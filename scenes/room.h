@@ -8,34 +8,54 @@
 
 #include "appearance/spectra/spectrum.h"
 #include "appearance/spectra/viewed_light.h"
+#include "scenes/geometry/outline.h"
 #include "scenes/luminaires/luminaire.h"
 
 namespace scenes {
 
 using spectra::Spectrum;
 
-/// A rectangle in a wall. Wall i runs from corner i of the plan to i + 1.
+/// A planar frame: point = origin + u * along + v * up; the unit normal points into the room. Floor
+/// and ceiling take x and y; slanting and upright faces run level along, and up.
+struct Frame {
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::UnitX(),
+                  up = Eigen::Vector3d::UnitY(), normal = Eigen::Vector3d::UnitZ();
+};
+
+/// A plane face of what encloses the air. All of them close it.
+struct ShellFace {
+  int surface = 0;                  ///< into Room::surfaces
+  Frame frame;                      ///< of a wall: from the foot of its first corner
+  Outline outline;                  ///< simple
+  std::vector<Outline> holes = {};  ///< within it, counter-clockwise as well
+};
+
+/// A window or a door: a convex part of a shell face.
 struct Opening {
   std::string name;
-  int wall = 0;
-  double offset_m = 0;  ///< along the wall from its first corner
-  double sill_m = 0;
-  double width_m = 0, height_m = 0;
+  int face = 0;  ///< into Room::shell
+  Outline outline;
   Spectrum transmittance;  ///< for the sun, 0..1
 };
 
-struct Box {
-  std::string name;
-  Eigen::Vector3d min_m, max_m;  ///< before rotation
-  double rotate_z_deg = 0;       ///< about its own centre, counter-clockwise from above
-};
-
-/// A lamp flush with a surface; a patch of the mesh.
+/// A lamp flush with a shell face: a convex part of it, and patches of the mesh.
 struct Panel {
   std::string name;
-  int on = 0;                ///< index into Room::surfaces: floor, ceiling or a wall
-  Eigen::Vector2d center_m;  ///< floor, ceiling: x, y; wall: along, up
-  Eigen::Vector2d size_m;    ///< in the same directions
+  int face = 0;  ///< into Room::shell
+  Outline outline;
+};
+
+/// What hides: a convex polyhedron, or a plate, whose two faces look away from each other.
+struct ConvexPart {
+  std::vector<Eigen::Vector3d> corners;
+  std::vector<std::vector<int>> faces;  ///< corners, counter-clockwise seen from outside
+};
+
+/// A piece of furniture.
+struct Body {
+  std::string name;
+  std::vector<Outline> faces;     ///< all of its surface, plane and simple
+  std::vector<ConvexPart> parts;  ///< that fill it
 };
 
 struct PointLight {
@@ -67,7 +87,7 @@ enum class SurfaceKind { floor, ceiling, wall, opening, panel, furniture };
 struct Surface {
   std::string name;
   SurfaceKind kind = SurfaceKind::floor;
-  int index = 0;               ///< into plan corners, openings, panels or furniture
+  int index = 0;               ///< into openings, panels or furniture
   Spectrum reflectance;        ///< 0 <= rho < 1
   Spectrum exitance;           ///< S, W m^-2 nm^-1; zero unless it is a lamp
   bool reconstructed = false;  ///< its reflectance was computed from a colour, not measured
@@ -137,12 +157,11 @@ struct Scenario {
 struct Room {
   std::string name;
   spectra::Grid grid;
-  std::vector<Eigen::Vector2d> plan_m;  ///< counter-clockwise
-  double height_m = 0;
   double patch_m = 0;  ///< longest patch edge that the mesh aims at
+  std::vector<ShellFace> shell;
   std::vector<Opening> openings;
   std::vector<Panel> panels;
-  std::vector<Box> furniture;
+  std::vector<Body> furniture;
   std::vector<Surface> surfaces;
   std::vector<PointLight> point_lights;
   std::vector<Sun> suns;
@@ -165,21 +184,5 @@ struct Room {
 
 /// -1 if there is none.
 [[nodiscard]] int find_surface(const Room& room, std::string_view name);
-
-/// Footprint of a box, counter-clockwise from above.
-[[nodiscard]] std::vector<Eigen::Vector2d> footprint(const Box& box);
-
-/// A planar frame: point = origin + u * along + v * up; the unit normal points into the room.
-struct Frame {
-  Eigen::Vector3d origin_m, along, up, normal;
-};
-
-/// The frame of a floor, ceiling or wall: floor and ceiling coordinates are x, y of the plan (there
-/// along x up = +normal and -normal), walls are along and up from the first corner (along x up =
-/// -normal).
-[[nodiscard]] Frame frame_of(const Room& room, int surface);
-
-/// The rectangle of an opening or panel in space, counter-clockwise seen from the room.
-[[nodiscard]] std::vector<Eigen::Vector3d> rectangle_of(const Room& room, int surface);
 
 }  // namespace scenes

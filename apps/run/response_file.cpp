@@ -89,19 +89,30 @@ solver::LampLight lamps_of(const Json& json, const spectra::Grid& grid) {
           .by_flux = json.at("by_flux")};
 }
 
+Json json_of(const scenes::Outline& outline) {
+  Json corners = Json::array();
+  for (const Eigen::Vector3d& corner : outline) corners.push_back(list_of(corner));
+  return corners;
+}
+
+Json json_of(const std::vector<scenes::Outline>& outlines) {
+  Json all = Json::array();
+  for (const scenes::Outline& outline : outlines) all.push_back(json_of(outline));
+  return all;
+}
+
 Json shape_of(const scenes::Room& room) {
-  Json shape{{"height_m", room.height_m}};
-  for (const Eigen::Vector2d& corner : room.plan_m) shape["plan_m"].push_back(list_of(corner));
+  Json shape;
+  for (const scenes::ShellFace& f : room.shell) {
+    shape["shell"].push_back({f.surface, json_of(f.outline), json_of(f.holes)});
+  }
   for (const scenes::Opening& o : room.openings) {
-    shape["openings"].push_back(
-        {o.wall, o.offset_m, o.sill_m, o.width_m, o.height_m, json_of(o.transmittance)});
+    shape["openings"].push_back({o.face, json_of(o.outline), json_of(o.transmittance)});
   }
   for (const scenes::Panel& p : room.panels) {
-    shape["panels"].push_back({p.on, list_of(p.center_m), list_of(p.size_m)});
+    shape["panels"].push_back({p.face, json_of(p.outline)});
   }
-  for (const scenes::Box& b : room.furniture) {
-    shape["furniture"].push_back({list_of(b.min_m), list_of(b.max_m), b.rotate_z_deg});
-  }
+  for (const scenes::Body& b : room.furniture) shape["furniture"].push_back(json_of(b.faces));
   return shape;
 }
 

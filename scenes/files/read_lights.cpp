@@ -129,19 +129,14 @@ spectra::Spectrum RoomReader::emitted(const JsonObject& light, const AmountRules
 }
 
 void RoomReader::read_panel(const LightEntry& entry) {
-  const JsonObject shape = entry.kind.object({"on", "center_m", "size_m", "reflectance"});
-  const std::vector<double> center = shape.numbers("center_m", 2, kCoordinate_m);
-  const std::vector<double> size = shape.numbers("size_m", 2, kLength_m);
-  Panel panel{.name = entry.name,
-              .on = -1,
-              .center_m = {center[0], center[1]},
-              .size_m = {size[0], size[1]}};
-  if (const auto on = shape.need("on")) panel.on = panel_surface(*on);
-
+  const JsonObject shape =
+      entry.kind.object({"on", "center_m", "size_m", "outline_m", "reflectance"});
+  const FacePart part = read_part(shape, "panel");
+  if (!part.outline.empty()) check_overlap(part, entry.kind, "panel");
   Lamp lamp{.reflectance = {.spectrum = curves_.zero()},
             .exitance = emitted(entry.light, {.kind = "panel",
                                               .keys = {"flux_lm", "power_W", "exitance_W_m2_nm"},
-                                              .area_m2 = size[0] * size[1]})};
+                                              .area_m2 = part.area_m2})};
   const auto own = shape.find("reflectance"), beside = entry.light.find("reflectance");
   if (own && beside) own->fault("the panel has two reflectances", "keep one of them");
   if (own || beside) lamp.reflectance = curves_.reflectance(own ? *own : *beside);
@@ -149,48 +144,17 @@ void RoomReader::read_panel(const LightEntry& entry) {
                           .kind = SurfaceKind::panel,
                           .index = static_cast<int>(room_.panels.size()),
                           .exitance = lamp.exitance});
-  room_.panels.push_back(panel);
+  room_.panels.push_back({.name = entry.name, .face = part.face, .outline = part.outline});
   lamps_.push_back(lamp);
-  panel_places_.push_back(entry.kind);
-  check_panel();
 }
 
-int RoomReader::panel_surface(const JsonNode& on) const {
+int RoomReader::surface_named(const JsonNode& on) const {
   if (on.is(JsonNode::Kind::text)) {
     if (on.text() == "floor") return 0;
     if (on.text() == "ceiling") return 1;
   }
   const int wall = wall_named(on);
   return wall < 0 ? -1 : wall + 2;
-}
-
-void RoomReader::check_panel() const {
-  const Panel& panel = room_.panels.back();
-  const JsonNode& place = panel_places_.back();
-  const Polygon extent = extent_of(panel);
-  if (panel.on < 0 || !plan_sound_ || !is_sound(extent)) return;
-  const Polygon holder = panel.on < 2
-                             ? room_.plan_m
-                             : rectangle({0, 0}, {wall_length_m(panel.on - 2), room_.height_m});
-  if (!fits_into(holder, extent)) {
-    place.fault("the panel reaches beyond the surface that it is on",
-                "move it or make it smaller; on a wall, center_m is [along, up]");
-  }
-  for (std::size_t i = 0; i + 1 < room_.panels.size(); ++i) {
-    const Polygon other = extent_of(room_.panels[i]);
-    if (room_.panels[i].on == panel.on && is_sound(other) && overlap(extent, other)) {
-      place.fault(fmt::format("the panel overlaps the panel \"{}\"", room_.panels[i].name),
-                  "move one of them");
-    }
-  }
-  for (const Opening& opening : room_.openings) {
-    const Polygon other = extent_of(opening);
-    if (opening.wall >= 0 && opening.wall + 2 == panel.on && is_sound(other) &&
-        overlap(extent, other)) {
-      place.fault(fmt::format("the panel overlaps the opening \"{}\"", opening.name),
-                  "move one of them");
-    }
-  }
 }
 
 void RoomReader::read_lit_opening(const LightEntry& entry) {
@@ -200,11 +164,10 @@ void RoomReader::read_lit_opening(const LightEntry& entry) {
   const auto found = std::ranges::find(names, name);
   const bool known = found != names.end() && !name.empty();
   const auto index = static_cast<std::size_t>(found - names.begin());
-  const spectra::Spectrum exitance = emitted(
-      entry.light,
-      {.kind = "lit opening",
-       .keys = {"flux_lm", "power_W", "illuminance_lx", "exitance_W_m2_nm"},
-       .area_m2 = known ? room_.openings[index].width_m * room_.openings[index].height_m : NAN});
+  const spectra::Spectrum exitance =
+      emitted(entry.light, {.kind = "lit opening",
+                            .keys = {"flux_lm", "power_W", "illuminance_lx", "exitance_W_m2_nm"},
+                            .area_m2 = known ? opening_area_m2_[index] : NAN});
   if (known) {
     auto& sum = opening_exitance_[index];
     if (!sum) sum = curves_.zero();
@@ -234,7 +197,7 @@ void RoomReader::read_point(const LightEntry& entry) {
        .at_m = at_m,
        .spectral_flux = emitted(entry.light, {.kind = "point", .keys = {"flux_lm", "power_W"}})});
   // On a surface half of the flux would be lost; 1 mm is where a lamp is no point any more.
-  if (at_m.allFinite() && plan_sound_ && clearance_m(at_m) < kShortest_m) {
+  if (at_m.allFinite() && shell_sound_ && clearance_m(at_m) < kShortest_m) {
     entry.kind.fault("the point light is outside the room, on a surface or in furniture",
                      "move it to where there is air around it, at least 1 mm");
   }
@@ -252,20 +215,19 @@ void RoomReader::read_sun(const LightEntry& entry) {
   room_.suns.push_back(sun);
   if (opening_places_.empty()) {
     entry.kind.fault("the room has no opening for the sun", "add one to \"openings\"");
-  } else if (plan_sound_ && std::isfinite(sun.azimuth_deg + sun.altitude_deg)) {
+  } else if (shell_sound_ && std::isfinite(sun.azimuth_deg + sun.altitude_deg)) {
     check_sun(sun, entry.kind);
   }
 }
 
 void RoomReader::check_sun(const Sun& sun, const JsonNode& place) {
-  const double azimuth = sun.azimuth_deg * std::numbers::pi / 180;
-  const Eigen::Vector2d to_sun(std::sin(azimuth), std::cos(azimuth));
+  const double azimuth = sun.azimuth_deg * std::numbers::pi / 180,
+               altitude = sun.altitude_deg * std::numbers::pi / 180;
+  const Eigen::Vector3d to_sun(std::sin(azimuth) * std::cos(altitude),
+                               std::cos(azimuth) * std::cos(altitude), std::sin(altitude));
   const bool enters = std::ranges::any_of(room_.openings, [&](const Opening& o) {
-    if (o.wall < 0) return true;
-    const auto i = static_cast<std::size_t>(o.wall);
-    const Eigen::Vector2d along = room_.plan_m[(i + 1) % room_.plan_m.size()] - room_.plan_m[i];
-    // The outer normal of a wall is (along.y, -along.x).
-    return sun.altitude_deg < 90 && along.y() * to_sun.x() - along.x() * to_sun.y() > 0;
+    if (o.face < 0) return true;
+    return -room_.shell[static_cast<std::size_t>(o.face)].frame.normal.dot(to_sun) > 1e-9;
   });
   if (enters) return;
   if (top_.find("lights")->list().size() == 1) {
@@ -273,10 +235,6 @@ void RoomReader::check_sun(const Sun& sun, const JsonNode& place) {
                 "turn azimuth_deg (clockwise from +y seen from above) or add a light");
   }
   room_.notes.push_back(place.pointer() + ": no opening faces this sun, it adds no light");
-}
-
-Polygon extent_of(const Panel& panel) {
-  return rectangle(panel.center_m - panel.size_m / 2, panel.center_m + panel.size_m / 2);
 }
 
 }  // namespace scenes

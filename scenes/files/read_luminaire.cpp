@@ -76,7 +76,7 @@ void RoomReader::read_luminaire_light(const LightEntry& entry) {
                             .axes = luminaire_axes({aim[0], aim[1], aim[2]}, rotate_deg),
                             .spectral_flux = curves_.zero()};
   luminaire.spectral_flux = luminaire_flux(entry, luminaire);
-  if (type && plan_sound_) check_luminaire(luminaire, entry.kind);
+  if (type && shell_sound_) check_luminaire(luminaire, entry.kind);
   room_.lights.push_back(
       {.name = entry.name, .luminaire = static_cast<int>(room_.luminaires.size())});
   room_.luminaires.push_back(std::move(luminaire));
@@ -143,18 +143,14 @@ void RoomReader::check_luminaire(const PlacedLuminaire& luminaire, const JsonNod
 /// Flush with a surface, it loses what it sends into it.
 void RoomReader::note_flush(const PlacedLuminaire& luminaire, const JsonNode& place) {
   Vector3d inward = Vector3d::UnitZ();
-  if (room_.height_m - luminaire.at_m.z() <= kTouch_m) {
-    inward = -inward;
-  } else if (luminaire.at_m.z() > kTouch_m) {
-    for (std::size_t i = 0; i < room_.plan_m.size(); ++i) {
-      const Eigen::Vector2d from = room_.plan_m[i],
-                            along =
-                                (room_.plan_m[(i + 1) % room_.plan_m.size()] - from).normalized(),
-                            normal(-along.y(), along.x());
-      const Eigen::Vector2d offset = luminaire.at_m.head<2>() - from;
-      if (std::abs(normal.dot(offset)) <= kTouch_m) inward = {normal.x(), normal.y(), 0};
-    }
+  const auto take = [&](const Outline& outline, const std::vector<Outline>& holes) {
+    const FlatFace face(outline, holes);
+    if (face.distance_m(luminaire.at_m) <= kTouch_m) inward = face.plane().normal();
+  };
+  for (const Body& body : room_.furniture) {
+    for (const Outline& face : body.faces) take(face, {});
   }
+  for (const ShellFace& face : room_.shell) take(face.outline, face.holes);
   const double lost = share_behind(luminaire.type->intensity, luminaire.axes.transpose() * inward);
   if (lost < 1e-6) return;
   room_.notes.push_back(fmt::format("{}: flush with a surface, which takes {:.3g} % of its light",

@@ -1,4 +1,4 @@
-// The geometry of a room file: plan, walls, openings, furniture.
+// The shell of a room file: plan, names of walls, ceiling.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 
 #include "scenes/files/room_reader.h"
 #include "scenes/geometry/fits.h"
+#include "scenes/shapes/roof.h"
 
 namespace scenes {
 
@@ -16,11 +17,17 @@ using spectra::Limits;
 namespace {
 
 constexpr double kDefaultPatch_m = 0.25;
-constexpr Limits kNotNegative_m{.least = 0, .most = 1e4};
-
-Eigen::Vector3d vector3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
+constexpr Limits kPitch_deg{.least = -85, .most = 85};
+constexpr double kFlat_m = 1e-6;  ///< how far heights may lie off their plane
 
 }  // namespace
+
+void RoomReader::read_patch_size() {
+  room_.patch_m = top_.number_or("patch_m", kDefaultPatch_m, kLength_m);
+  if (!top_.has("patch_m")) {
+    room_.notes.push_back(fmt::format("patch_m is not given; {} m is used", kDefaultPatch_m));
+  }
+}
 
 void RoomReader::read_plan() {
   Places corners;
@@ -30,24 +37,18 @@ void RoomReader::read_plan() {
   }
   for (const JsonNode& corner : corners) {
     const std::vector<double> xy = corner.numbers(2, kCoordinate_m);
-    room_.plan_m.emplace_back(xy[0], xy[1]);
+    plan_m_.emplace_back(xy[0], xy[1]);
   }
-  room_.height_m = top_.number("height_m", kLength_m);
   check_plan(corners);
-
-  room_.patch_m = top_.number_or("patch_m", kDefaultPatch_m, kLength_m);
-  if (!top_.has("patch_m")) {
-    room_.notes.push_back(fmt::format("patch_m is not given; {} m is used", kDefaultPatch_m));
-  }
 }
 
 void RoomReader::check_plan(const Places& corners) {
   const std::size_t n = corners.size();
-  if (n == 0 || !std::ranges::all_of(room_.plan_m, [](const auto& p) { return p.allFinite(); })) {
+  if (n == 0 || !std::ranges::all_of(plan_m_, [](const auto& p) { return p.allFinite(); })) {
     return;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const double wall_m = (room_.plan_m[(i + 1) % n] - room_.plan_m[i]).norm();
+    const double wall_m = (plan_m_[(i + 1) % n] - plan_m_[i]).norm();
     if (wall_m < kShortest_m) {
       corners[(i + 1) % n].fault("this corner repeats the one before",
                                  "leave one of them out (the last corner is joined to the first); "
@@ -55,18 +56,18 @@ void RoomReader::check_plan(const Places& corners) {
       return;
     }
   }
-  if (const auto edge = first_crossing_edge(room_.plan_m)) {
+  if (const auto edge = first_crossing_edge(plan_m_)) {
     corners[*edge].fault("the wall from this corner crosses, touches or folds back on another",
                          "give the corners in their order around the room");
-  } else if (area(room_.plan_m) < 0) {
+  } else if (area(plan_m_) < 0) {
     corners[0].fault("the corners run clockwise seen from above", "reverse their order");
   } else {
-    plan_sound_ = std::isfinite(room_.height_m);
+    plan_sound_ = true;
   }
 }
 
 void RoomReader::read_wall_names() {
-  for (std::size_t i = 1; i <= room_.plan_m.size(); ++i) {
+  for (std::size_t i = 1; i <= plan_m_.size(); ++i) {
     wall_names_.push_back(fmt::format("wall_{}", i));
   }
   if (const auto names = top_.find("wall_names")) {
@@ -81,10 +82,17 @@ void RoomReader::read_wall_names() {
       wall_names_.push_back(entry.name());
       claim_name(entry, wall_names_.back());
     }
-    wall_names_.resize(room_.plan_m.size());  // a name too many is no wall
+    wall_names_.resize(plan_m_.size());  // a name too many is no wall
   } else {
     names_.insert(names_.end(), wall_names_.begin(), wall_names_.end());
   }
+  add_shell_surface("floor", SurfaceKind::floor);
+  add_shell_surface("ceiling", SurfaceKind::ceiling);
+  for (const std::string& wall : wall_names_) add_shell_surface(wall, SurfaceKind::wall);
+}
+
+void RoomReader::add_shell_surface(const std::string& name, SurfaceKind kind) {
+  shell_surfaces_.emplace_back(name, kind);
 }
 
 void RoomReader::claim_name(const JsonNode& place, const std::string& name) {
@@ -109,105 +117,116 @@ int RoomReader::wall_named(const JsonNode& node) const {
   return -1;
 }
 
-void RoomReader::read_openings() {
-  for (const JsonNode& node : top_.list_or_empty("openings")) {
-    const JsonObject entry =
-        node.object({"name", "wall", "offset_m", "sill_m", "width_m", "height_m", "transmittance"});
-    const auto wall = entry.need("wall");
-    const auto transmittance = entry.find("transmittance");
-    room_.openings.push_back({.name = entry.name("name"),
-                              .wall = wall ? wall_named(*wall) : -1,
-                              .offset_m = entry.number("offset_m", kNotNegative_m),
-                              .sill_m = entry.number("sill_m", kNotNegative_m),
-                              .width_m = entry.number("width_m", kLength_m),
-                              .height_m = entry.number("height_m", kLength_m),
-                              .transmittance = transmittance
-                                                   ? curves_.transmittance(*transmittance)
-                                                   : spectra::constant(curves_.grid(), 1)});
-    if (const auto name = entry.find("name")) claim_name(*name, room_.openings.back().name);
-    opening_places_.push_back(node);
-    check_opening(room_.openings.size() - 1);
+void RoomReader::read_shell() {
+  const auto ceiling = top_.find("ceiling");
+  const bool level = top_.has("height_m") || !ceiling;
+  const double height_m = level ? top_.number("height_m", kLength_m) : NAN;
+  std::vector<RoofPlane> planes;
+  if (level) planes.push_back({.height_m = height_m});
+  if (ceiling) read_ceiling(*ceiling, planes);
+  const bool sound =
+      plan_sound_ && !planes.empty() && std::ranges::all_of(planes, [](const RoofPlane& plane) {
+        return std::isfinite(plane.height_m) && plane.slope.allFinite();
+      });
+  if (!sound) return;
+  for (std::size_t i = 0; i < plan_m_.size(); ++i) {
+    const double wall_m = height_below(planes, plan_m_[i]);
+    if (wall_m >= kShortest_m) continue;
+    ceiling->fault(fmt::format("it is {:.4g} m high over corner {} of the plan, [{}, {}]", wall_m,
+                               i + 1, plan_m_[i].x(), plan_m_[i].y()),
+                   "raise it; walls are at least 1 mm high");
+    return;
+  }
+  set_shell(roofed_shell(plan_m_, planes));
+}
+
+void RoomReader::set_shell(std::vector<ShellFace> shell) {
+  room_.shell = std::move(shell);
+  enclosure_ = Enclosure(room_.shell);
+  shell_sound_ = true;
+}
+
+void RoomReader::read_ceiling(const JsonNode& node, std::vector<RoofPlane>& planes) {
+  const JsonObject ceiling = node.object({"heights_m", "planes"});
+  const auto heights = ceiling.find("heights_m"), list = ceiling.find("planes");
+  if (heights.has_value() == list.has_value()) {
+    ceiling.fault(heights ? "the ceiling has both heights and planes" : "the ceiling has no shape",
+                  "give exactly one of heights_m or planes");
+  }
+  if (heights) read_heights(*heights, planes);
+  if (!list) return;
+  for (const JsonNode& entry : list->list(1)) {
+    planes.push_back(read_roof_plane(entry));
   }
 }
 
-void RoomReader::check_opening(std::size_t opening) const {
-  const Opening& o = room_.openings[opening];
-  if (o.wall < 0 || !plan_sound_) return;
-  const JsonNode& place = opening_places_[opening];
-  const double length_m = wall_length_m(o.wall);
-  if (o.offset_m + o.width_m > length_m + kTouch_m) {
-    place.fault(fmt::format("it ends {} m along a wall of {} m", o.offset_m + o.width_m, length_m),
-                "make offset_m or width_m smaller");
+/// One height per corner of the plan, all in one plane.
+void RoomReader::read_heights(const JsonNode& node, std::vector<RoofPlane>& planes) {
+  if (const auto level = top_.find("height_m")) {
+    level->fault("the room has both height_m and the heights of its corners", "keep one of them");
   }
-  if (o.sill_m + o.height_m > room_.height_m + kTouch_m) {
-    place.fault(
-        fmt::format("its top is at {} m in a room of {} m", o.sill_m + o.height_m, room_.height_m),
-        "make sill_m or height_m smaller");
+  const Places entries = node.list();
+  if (walls_known_ && node.is(JsonNode::Kind::list) && entries.size() != plan_m_.size()) {
+    node.fault(fmt::format("{} heights for {} corners", entries.size(), plan_m_.size()),
+               "give one height per corner of the plan");
+    return;
   }
-  for (std::size_t other = 0; other < opening; ++other) {
-    if (room_.openings[other].wall == o.wall &&
-        overlap(extent_of(o), extent_of(room_.openings[other]))) {
-      place.fault(fmt::format("it overlaps the opening \"{}\"", room_.openings[other].name),
-                  "move one of them");
+  Outline top;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const double height_m = entries[i].number(kLength_m);
+    if (i < plan_m_.size()) top.emplace_back(plan_m_[i].x(), plan_m_[i].y(), height_m);
+  }
+  const auto finite = [](const Eigen::Vector3d& p) { return p.allFinite(); };
+  if (!plan_sound_ || top.size() < 3 || !std::ranges::all_of(top, finite)) return;
+  planes.push_back(roof_plane_of(top));
+  for (std::size_t i = 0; i < top.size(); ++i) {
+    const double off_m = top[i].z() - planes.back().over(plan_m_[i]);
+    if (std::abs(off_m) <= kFlat_m) continue;
+    entries[i].fault(fmt::format("the corners of the ceiling lie in no plane: this one is {:.4g} m "
+                                 "off that of the others",
+                                 off_m),
+                     "change a height, or give \"planes\", of which the lowest counts");
+    return;
+  }
+}
+
+RoofPlane RoomReader::read_roof_plane(const JsonNode& node) {
+  const JsonObject plane = node.object({"wall", "height_m", "pitch_deg", "points_m"});
+  if (const auto points = plane.find("points_m")) return read_points_of_plane(plane, *points);
+  RoofPlane roof{.height_m = plane.number("height_m", {.least = -1e4, .most = 1e4})};
+  if (plane.has("pitch_deg") != plane.has("wall")) {
+    plane.fault("\"wall\" and \"pitch_deg\" go together",
+                "give both: the plane rises from the wall; or neither: it is level");
+  }
+  const auto wall_name = plane.find("wall");
+  if (!wall_name || !plane.has("pitch_deg")) return roof;
+  const int wall = wall_named(*wall_name);
+  const double pitch_deg = plane.number("pitch_deg", kPitch_deg);
+  if (wall < 0 || !plan_sound_) return {.height_m = NAN};
+  const Line edge = edge_line(plan_m_, static_cast<std::size_t>(wall));
+  return pitched_plane(edge, roof.height_m, pitch_deg);
+}
+
+RoofPlane RoomReader::read_points_of_plane(const JsonObject& plane, const JsonNode& points) {
+  for (const char* key : {"wall", "height_m", "pitch_deg"}) {
+    if (const auto node = plane.find(key)) {
+      node->fault("the plane is given by three points already", "leave this out");
     }
   }
-}
-
-void RoomReader::read_furniture() {
-  for (const JsonNode& node : top_.list_or_empty("furniture")) {
-    const JsonObject entry = node.object({"name", "box_m", "rotate_z_deg"});
-    Box box{.name = entry.name("name"),
-            .min_m = Eigen::Vector3d::Constant(NAN),
-            .max_m = Eigen::Vector3d::Constant(NAN)};
-    if (const auto extent = entry.need("box_m")) {
-      const JsonObject corners = extent->object({"min", "max"});
-      box.min_m = vector3(corners.numbers("min", 3, kCoordinate_m));
-      box.max_m = vector3(corners.numbers("max", 3, kCoordinate_m));
-      if (((box.max_m - box.min_m).array() < kShortest_m).any()) {
-        extent->fault("\"max\" is not above \"min\" in x, y and z by at least 1 mm",
-                      "give the lowest and the highest corner");
-        box.min_m.setConstant(NAN);
-      }
-    }
-    box.rotate_z_deg = entry.number_or("rotate_z_deg", 0, {.least = -360, .most = 360});
-    if (const auto name = entry.find("name")) claim_name(*name, box.name);
-    room_.furniture.push_back(box);
-    box_places_.push_back(node);
-    check_box(room_.furniture.size() - 1);
+  Outline corners;
+  for (const JsonNode& point : points.list(3, 3)) {
+    corners.push_back(vector3(point.numbers(3, kCoordinate_m)));
   }
-}
-
-void RoomReader::check_box(std::size_t index) const {
-  const Box& box = room_.furniture[index];
-  if (!is_sound(box) || !plan_sound_) return;
-  const JsonNode& place = box_places_[index];
-  const Polygon foot = footprint(box);
-  if (box.min_m.z() < -kTouch_m || box.max_m.z() > room_.height_m + kTouch_m) {
-    place.fault(fmt::format("it reaches from {} to {} m in a room of {} m", box.min_m.z(),
-                            box.max_m.z(), room_.height_m),
-                "keep it between floor and ceiling; it may touch them");
+  RoofPlane roof{.height_m = NAN};
+  if (corners.size() != 3) return roof;
+  const Eigen::Vector3d area = vector_area_m2(corners);
+  if (!area.allFinite()) return roof;
+  if (std::abs(area.z()) < 1e-3 * area.norm() || area.norm() < 1e-6) {
+    points.fault("the three points lie in a line, or in an upright plane",
+                 "give three corners of the slope");
+    return roof;
   }
-  if (!fits_into(room_.plan_m, foot)) {
-    place.fault("it reaches through a wall or stands outside the room",
-                "keep its footprint, as rotated, within the plan; it may touch walls");
-  }
-  for (std::size_t i = 0; i < index; ++i) {
-    const Box& other = room_.furniture[i];
-    if (is_sound(other) && box.min_m.z() < other.max_m.z() - kTouch_m &&
-        other.min_m.z() < box.max_m.z() - kTouch_m && overlap(foot, footprint(other))) {
-      place.fault(fmt::format("it overlaps \"{}\"", other.name),
-                  "move one of them; they may touch");
-    }
-  }
-}
-
-double RoomReader::wall_length_m(int wall) const {
-  const auto i = static_cast<std::size_t>(wall);
-  return (room_.plan_m[(i + 1) % room_.plan_m.size()] - room_.plan_m[i]).norm();
-}
-
-Polygon extent_of(const Opening& o) {
-  return rectangle({o.offset_m, o.sill_m}, {o.offset_m + o.width_m, o.sill_m + o.height_m});
+  return roof_plane_of(corners);
 }
 
 }  // namespace scenes

@@ -1,53 +1,15 @@
 // The reflectances of a room file, and the list of surfaces.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "scenes/files/room_reader.h"
-#include "scenes/geometry/fits.h"
 
 namespace scenes {
 
 using spectra::JsonNode;
 using spectra::JsonObject;
 
-namespace {
-
-/// `outer` holds all of `inner`; both are convex.
-bool covers(const Polygon& outer, const Polygon& inner) {
-  return std::ranges::all_of(inner,
-                             [&](const auto& corner) { return is_inside_or_on(outer, corner); });
-}
-
-/// Where a box touches a wall, in the wall's frame; empty if it does not.
-Polygon contact_with_wall(const Box& box, const Frame& wall) {
-  const Polygon foot = footprint(box);
-  for (std::size_t i = 0; i < foot.size(); ++i) {
-    const Eigen::Vector2d from = foot[i] - wall.origin_m.head<2>();
-    const Eigen::Vector2d to = foot[(i + 1) % foot.size()] - wall.origin_m.head<2>();
-    const Eigen::Vector2d normal = wall.normal.head<2>(), along = wall.along.head<2>();
-    if (std::abs(from.dot(normal)) > kTouch_m || std::abs(to.dot(normal)) > kTouch_m) continue;
-    const auto [low, high] = std::minmax({from.dot(along), to.dot(along)});
-    return rectangle({low, box.min_m.z()}, {high, box.max_m.z()});
-  }
-  return {};
-}
-
-Polygon contact_with(const Box& box, const Room& room, int surface) {
-  const bool touches =
-      surface == 0 ? box.min_m.z() <= kTouch_m : box.max_m.z() >= room.height_m - kTouch_m;
-  if (surface < 2) return touches ? footprint(box) : Polygon{};
-  return contact_with_wall(box, frame_of(room, surface));
-}
-
-}  // namespace
-
 void RoomReader::read_surfaces() {
-  add_surface("floor", SurfaceKind::floor, 0);
-  add_surface("ceiling", SurfaceKind::ceiling, 0);
-  for (std::size_t i = 0; i < wall_names_.size(); ++i) {
-    add_surface(wall_names_[i], SurfaceKind::wall, i);
-  }
+  for (const auto& [name, kind] : shell_surfaces_) add_surface(name, kind);
   for (std::size_t i = 0; i < room_.openings.size(); ++i) {
     add_surface(room_.openings[i].name, SurfaceKind::opening, i);
   }
@@ -105,22 +67,6 @@ void RoomReader::set_reflectance(Surface& surface, const JsonObject& given,
   const std::string or_lit = surface.kind == SurfaceKind::opening ? ", or light it" : "";
   given.fault(fmt::format("\"{}\" has no reflectance", surface.name),
               fmt::format("add {}\"{}\"{}", as_wall, surface.name, or_lit));
-}
-
-void RoomReader::check_covered() const {
-  for (std::size_t b = 0; b < room_.furniture.size(); ++b) {
-    const Box& box = room_.furniture[b];
-    if (!is_sound(box)) continue;
-    const auto check = [&](const std::string& name, const Polygon& extent, int surface) {
-      if (surface < 0 || !is_sound(extent)) return;
-      const Polygon contact = contact_with(box, room_, surface);
-      if (contact.empty() || !covers(contact, extent)) return;
-      box_places_[b].fault(fmt::format("it covers \"{}\" wholly", name), "move one of them");
-    };
-    for (const Opening& o : room_.openings)
-      check(o.name, extent_of(o), o.wall < 0 ? -1 : o.wall + 2);
-    for (const Panel& p : room_.panels) check(p.name, extent_of(p), p.on);
-  }
 }
 
 }  // namespace scenes

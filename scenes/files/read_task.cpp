@@ -20,26 +20,13 @@ constexpr double kStep_m = 1e-6;  ///< from a receiver's surface into the air be
 constexpr std::size_t kMostGroups = 3;
 constexpr spectra::Limits kWeight{.least = 0, .most = 1e6, .above_least = true};
 
-Eigen::Vector3d vector3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
-
-/// Negative inside.
-double distance_to_box_m(const Box& box, const Eigen::Vector3d& point_m) {
-  double distance_m = std::max(box.min_m.z() - point_m.z(), point_m.z() - box.max_m.z());
-  const Polygon foot = footprint(box);
-  for (std::size_t i = 0; i < foot.size(); ++i) {
-    distance_m = std::max(distance_m, -edge_line(foot, i).left_by(point_m.head<2>()));
-  }
-  return distance_m;
-}
-
 }  // namespace
 
 double RoomReader::clearance_m(const Eigen::Vector3d& point_m) const {
-  const double to_wall_m = distance_to_boundary_m(room_.plan_m, point_m.head<2>());
-  double clearance_m = is_inside(room_.plan_m, point_m.head<2>()) ? to_wall_m : -to_wall_m;
-  clearance_m = std::min({clearance_m, point_m.z(), room_.height_m - point_m.z()});
-  for (const Box& box : room_.furniture) {
-    if (is_sound(box)) clearance_m = std::min(clearance_m, distance_to_box_m(box, point_m));
+  double clearance_m = enclosure_.clearance_m(point_m);
+  for (std::size_t b = 0; b < room_.furniture.size(); ++b) {
+    if (body_read_[b] == 0) continue;
+    clearance_m = std::min(clearance_m, distance_m(room_.furniture[b], point_m));
   }
   return clearance_m;
 }
@@ -62,7 +49,7 @@ void RoomReader::read_receivers() {
     }
     receiver.normal.stableNormalize();
     room_.receivers.push_back(receiver);
-    if (!plan_sound_ || !receiver.at_m.allFinite() || !receiver.normal.allFinite()) continue;
+    if (!shell_sound_ || !receiver.at_m.allFinite() || !receiver.normal.allFinite()) continue;
     if (clearance_m(receiver.at_m) < -kTouch_m) {
       node.fault("the receiver is outside the room or in furniture", "move it into the air");
     } else if (clearance_m(receiver.at_m + kStep_m * receiver.normal) < -kTouch_m) {
@@ -88,7 +75,7 @@ void RoomReader::read_view_points(const JsonObject& view, std::optional<View>& i
   if ((look_at_m - eye_m).norm() < kShortest_m) {
     view.fault("the eye looks at itself", "move look_at_m away from eye_m");
   }
-  if (plan_sound_ && eye_m.allFinite() && clearance_m(eye_m) < kShortest_m) {
+  if (shell_sound_ && eye_m.allFinite() && clearance_m(eye_m) < kShortest_m) {
     view.find("eye_m")->fault("the eye is outside the room, on a surface or in furniture",
                               "move it into the air");
   }

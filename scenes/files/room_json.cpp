@@ -1,6 +1,5 @@
 #include "scenes/files/room_json.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include "scenes/files/room_reader.h"
@@ -13,8 +12,8 @@ RoomReader::RoomReader(spectra::JsonFile& file, const spectra::Grid& grid)
     : file_(file),
       curves_(file, grid),
       top_(file.root().object({"$schema", "roomhue", "name", "plan_m", "wall_names", "height_m",
-                               "patch_m", "openings", "furniture", "surfaces", "lights",
-                               "receivers", "view", "paint", "scenarios", "judge"})) {
+                               "ceiling", "faces", "patch_m", "openings", "furniture", "surfaces",
+                               "lights", "receivers", "view", "paint", "scenarios", "judge"})) {
   room_.grid = grid;
 }
 
@@ -22,13 +21,19 @@ Room RoomReader::read() {
   if (const auto version = top_.need("roomhue")) (void)version->whole_number(1, 1);
   const auto name = top_.find("name");
   room_.name = name ? name->name() : std::filesystem::path(file_.path()).stem().string();
-  read_plan();
-  read_wall_names();
+  read_patch_size();
+  if (const auto faces = top_.find("faces")) {
+    read_faces(*faces);
+  } else {
+    read_plan();
+    read_wall_names();
+    read_shell();
+  }
   read_openings();
   read_furniture();
   read_lights();
   read_surfaces();
-  if (plan_sound_) check_covered();
+  if (shell_sound_) check_covered();
   read_receivers();
   read_view();
   read_paint();
@@ -41,17 +46,6 @@ Room RoomReader::read() {
 Room read_room(const std::string& path, const spectra::Grid& grid) {
   spectra::JsonFile file = spectra::read_json_file(path);
   return RoomReader(file, grid).read();
-}
-
-bool is_sound(const Polygon& polygon) {
-  for (const Eigen::Vector2d& corner : polygon) {
-    if (!corner.allFinite()) return false;
-  }
-  return true;
-}
-
-bool is_sound(const Box& box) {
-  return box.min_m.allFinite() && box.max_m.allFinite() && std::isfinite(box.rotate_z_deg);
 }
 
 }  // namespace scenes

@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/Geometry>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,6 +13,8 @@
 #include "scenes/geometry/fits.h"
 #include "scenes/geometry/plane_polygon.h"
 #include "scenes/room.h"
+#include "scenes/shapes/enclosure.h"
+#include "scenes/shapes/roof.h"
 
 namespace scenes {
 
@@ -47,25 +51,65 @@ class RoomReader {
     double area_m2 = 1;
   };
 
+  /// A convex part of a shell face; no corners if it could not be read.
+  struct FacePart {
+    int face = -1;  ///< into Room::shell
+    Outline outline;
+    double area_m2 = NAN;
+  };
+
   // read_plan.cpp
+  void read_patch_size();
   void read_plan();
   void check_plan(const Places& corners);
   void read_wall_names();
-  void read_openings();
-  void check_opening(std::size_t opening) const;
-  void read_furniture();
-  void check_box(std::size_t box) const;
+  void read_shell();
+  void set_shell(std::vector<ShellFace> shell);
+  void read_ceiling(const spectra::JsonNode& node, std::vector<RoofPlane>& planes);
+  void read_heights(const spectra::JsonNode& node, std::vector<RoofPlane>& planes);
+  [[nodiscard]] RoofPlane read_roof_plane(const spectra::JsonNode& node);
+  [[nodiscard]] static RoofPlane read_points_of_plane(const spectra::JsonObject& plane,
+                                                      const spectra::JsonNode& points);
   void claim_name(const spectra::JsonNode& place, const std::string& name);
+  void add_shell_surface(const std::string& name, SurfaceKind kind);
   /// -1 and a fault if there is no such wall; -1 without one if walls are not known.
   [[nodiscard]] int wall_named(const spectra::JsonNode& node) const;
-  [[nodiscard]] double wall_length_m(int wall) const;
+
+  // read_faces.cpp
+  void read_faces(const spectra::JsonNode& node);
+  [[nodiscard]] std::optional<ShellFace> read_face(const spectra::JsonNode& node);
+  void close_faces(std::vector<ShellFace> faces, const Places& places);
+
+  // read_openings.cpp
+  void read_openings();
+  [[nodiscard]] FacePart read_part_of_wall(const spectra::JsonObject& opening);
+  /// By `on`, `center_m` and `size_m`, or by `outline_m`.
+  [[nodiscard]] FacePart read_part(const spectra::JsonObject& shape, const std::string& what);
+  [[nodiscard]] FacePart read_rectangle(const spectra::JsonObject& shape, const std::string& what);
+  [[nodiscard]] FacePart read_polygon(const spectra::JsonNode& outline, const std::string& what);
+  [[nodiscard]] int face_under(int surface, const Eigen::Vector2d& point_m) const;
+  [[nodiscard]] bool fits_on_face(const FacePart& part) const;
+  /// Openings and panels that are there already.
+  void check_overlap(const FacePart& part, const spectra::JsonNode& place,
+                     const std::string& what) const;
+  [[nodiscard]] Polygon flat(int face, const Outline& outline) const;
+
+  // read_furniture.cpp
+  void read_furniture();
+  [[nodiscard]] std::optional<Body> read_body(const spectra::JsonObject& entry,
+                                              const std::string& name);
+  [[nodiscard]] std::optional<Body> read_box(const spectra::JsonObject& entry,
+                                             const std::string& name);
+  [[nodiscard]] std::optional<Eigen::Isometry3d> read_rotation(const spectra::JsonNode& node,
+                                                               const Body& body);
+  void check_body(std::size_t body) const;
+  void check_covered() const;
 
   // read_lights.cpp
   void read_lights();
   void read_light(const spectra::JsonObject& light);
   void read_panel(const LightEntry& entry);
-  [[nodiscard]] int panel_surface(const spectra::JsonNode& on) const;
-  void check_panel() const;
+  [[nodiscard]] int surface_named(const spectra::JsonNode& on) const;
   void read_lit_opening(const LightEntry& entry);
   void read_point(const LightEntry& entry);
   void read_sun(const LightEntry& entry);
@@ -85,10 +129,9 @@ class RoomReader {
 
   // read_surfaces.cpp
   void read_surfaces();
-  void add_surface(const std::string& name, SurfaceKind kind, std::size_t index);
+  void add_surface(const std::string& name, SurfaceKind kind, std::size_t index = 0);
   void set_reflectance(Surface& surface, const spectra::JsonObject& given,
                        const std::optional<Reflectance>& walls);
-  void check_covered() const;
 
   // read_task.cpp
   void read_receivers();
@@ -115,11 +158,17 @@ class RoomReader {
   spectra::JsonObject top_;
   Room room_;
   bool walls_known_ = false;  ///< their number, hence their names
-  bool plan_sound_ = false;   ///< a simple counter-clockwise polygon and a height
+  bool plan_sound_ = false;   ///< a simple counter-clockwise polygon
+  bool shell_sound_ = false;  ///< Room::shell is there, closed
   bool lights_known_ = true;  ///< which openings are lit
   std::vector<std::string> wall_names_;
+  std::vector<std::pair<std::string, SurfaceKind>> shell_surfaces_;  ///< as Room::surfaces begin
   std::vector<std::string> names_;  ///< taken by walls, openings, furniture, lights
-  Places opening_places_, box_places_, panel_places_;
+  Polygon plan_m_;
+  Enclosure enclosure_;
+  Places opening_places_, body_places_;
+  std::vector<double> opening_area_m2_;
+  std::vector<char> body_read_;  ///< whether each of Room::furniture could be read
   std::vector<std::optional<spectra::Spectrum>> opening_exitance_;  ///< of those that are lit
   std::map<std::string, std::shared_ptr<const Luminaire>> luminaire_files_;
   std::vector<Lamp> lamps_;  ///< as room_.panels
@@ -131,12 +180,6 @@ inline constexpr spectra::Limits kLength_m{.least = 1e-3, .most = 1e4};
 inline constexpr double kShortest_m = kLength_m.least - kTouch_m;
 inline constexpr spectra::Limits kCoordinate_m{.least = -1e4, .most = 1e4};
 
-/// All of its numbers could be read.
-[[nodiscard]] bool is_sound(const Polygon& polygon);
-[[nodiscard]] bool is_sound(const Box& box);
-
-/// In the frame of the surface that holds it.
-[[nodiscard]] Polygon extent_of(const Opening& opening);
-[[nodiscard]] Polygon extent_of(const Panel& panel);
+inline Eigen::Vector3d vector3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace scenes

@@ -13,77 +13,10 @@
 namespace scenes {
 namespace {
 
-constexpr double kCoplanarM = 1e-9;  // faces nearer than this touch
 constexpr double kMostPatches = 2e7;
 constexpr double kAtEdges = 0.5;    ///< CellSize::at_edges of the room's own faces
 constexpr double kCrowdedAt = 0.3;  ///< the same of all faces, and width of rings, where crowded
 constexpr double kGapsInside = 3;   ///< a slot is cut as many gaps from its mouth
-
-using Outline = std::vector<Eigen::Vector3d>;  // counter-clockwise seen from the room
-
-/// Bottom, top and sides of a prism, counter-clockwise seen from outside.
-std::vector<Outline> prism(const std::vector<Eigen::Vector2d>& plan, double low_m, double high_m) {
-  const auto at = [&plan](std::size_t i, double z) {
-    const Eigen::Vector2d& p = plan[i % plan.size()];
-    return Eigen::Vector3d(p.x(), p.y(), z);
-  };
-  std::vector<Outline> faces(2);
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    faces[0].push_back(at(plan.size() - 1 - i, low_m));
-    faces[1].push_back(at(i, high_m));
-    faces.push_back({at(i, low_m), at(i + 1, low_m), at(i + 1, high_m), at(i, high_m)});
-  }
-  return faces;
-}
-
-/// Floor, ceiling and walls: a prism seen from inside.
-std::vector<Outline> shell(const Room& room) {
-  std::vector<Outline> faces = prism(room.plan_m, 0, room.height_m);
-  for (Outline& face : faces) std::ranges::reverse(face);
-  return faces;
-}
-
-/// Coordinates in the plane of a face, the first along its longest edge.
-class PlaneCoordinates {
- public:
-  explicit PlaneCoordinates(const Outline& face) {
-    Eigen::Vector3d vector_area = Eigen::Vector3d::Zero(), longest = vector_area;
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      const Eigen::Vector3d edge = face[(i + 1) % face.size()] - face[i];
-      if (edge.norm() > longest.norm()) longest = edge;
-      vector_area += (face[i] - face[0]).cross(edge) / 2;
-    }
-    // stableNormalized is exact along an axis, so axis-aligned rooms keep their exact coordinates.
-    normal_ = vector_area.stableNormalized();
-    along_ = longest.stableNormalized();
-    up_ = normal_.cross(along_);
-    offset_m_ = normal_.dot(face[0]);
-  }
-
-  [[nodiscard]] const Eigen::Vector3d& normal() const { return normal_; }
-
-  /// The same plane, seen from the same side (facing = 1) or from the other (-1).
-  [[nodiscard]] bool same_plane(const PlaneCoordinates& other, int facing) const {
-    return (normal_ - facing * other.normal_).norm() <= kCoplanarM &&
-           std::abs(offset_m_ - facing * other.offset_m_) <= kCoplanarM;
-  }
-
-  [[nodiscard]] Eigen::Vector3d lift(const Eigen::Vector2d& p) const {
-    return offset_m_ * normal_ + p.x() * along_ + p.y() * up_;
-  }
-
-  /// Counter-clockwise in the plane, whichever side `outline` is seen from.
-  [[nodiscard]] Polygon flatten(const Outline& outline) const {
-    Polygon flat;
-    for (const Eigen::Vector3d& p : outline) flat.emplace_back(along_.dot(p), up_.dot(p));
-    if (area(flat) < 0) std::ranges::reverse(flat);
-    return flat;
-  }
-
- private:
-  Eigen::Vector3d along_, up_, normal_;
-  double offset_m_ = 0;
-};
 
 /// A plane face of the room or of a piece of furniture, before it is cut into patches.
 struct WholeFace {
@@ -100,30 +33,34 @@ WholeFace whole_face(Outline outline, int surface) {
   return {.outline = std::move(outline), .plane = plane, .surface = surface, .regions = {}};
 }
 
-int host_surface(const Room& room, const Surface& s) {
-  const auto index = static_cast<std::size_t>(s.index);
-  return s.kind == SurfaceKind::panel ? room.panels.at(index).on : 2 + room.openings.at(index).wall;
+/// Labels the convex pieces of a polygon in a face.
+void add_region(WholeFace& face, const Outline& outline, int label) {
+  for (Polygon& piece : convex_pieces(face.plane.flatten(outline))) {
+    face.regions.push_back({std::move(piece), label});
+  }
 }
 
-/// All faces, those of the shell first and in the order of Room::surfaces, with the openings and
-/// panels that they hold.
+/// All faces, those of the shell first, with their holes and the openings and panels they hold.
 std::vector<WholeFace> whole_faces(const Room& room, Cells cells) {
   std::vector<WholeFace> faces;
-  for (Outline& outline : shell(room)) {
-    faces.push_back(whole_face(std::move(outline), static_cast<int>(faces.size())));
+  for (const ShellFace& face : room.shell) {
+    faces.push_back(whole_face(face.outline, face.surface));
     faces.back().at_edges = {cells == Cells::crowded ? kCrowdedAt : kAtEdges};
+    for (const Outline& hole : face.holes) add_region(faces.back(), hole, kCutAway);
   }
   for (int i = 0; i < static_cast<int>(room.surfaces.size()); ++i) {
     const Surface& s = room.surfaces[static_cast<std::size_t>(i)];
-    if (s.kind == SurfaceKind::opening || s.kind == SurfaceKind::panel) {
-      WholeFace& host = faces.at(static_cast<std::size_t>(host_surface(room, s)));
-      host.regions.push_back({host.plane.flatten(rectangle_of(room, i)), i});
-    } else if (s.kind == SurfaceKind::furniture) {
-      const Box& box = room.furniture.at(static_cast<std::size_t>(s.index));
-      for (Outline& side : prism(footprint(box), box.min_m.z(), box.max_m.z())) {
-        faces.push_back(whole_face(std::move(side), i));
-        if (cells == Cells::crowded) faces.back().at_edges = {kCrowdedAt};
-      }
+    const auto index = static_cast<std::size_t>(s.index);
+    const auto add_part = [&](const auto& part) {
+      WholeFace& host = faces.at(static_cast<std::size_t>(part.face));
+      host.regions.push_back({host.plane.flatten(part.outline), i});
+    };
+    if (s.kind == SurfaceKind::opening) add_part(room.openings.at(index));
+    if (s.kind == SurfaceKind::panel) add_part(room.panels.at(index));
+    if (s.kind != SurfaceKind::furniture) continue;
+    for (const Outline& side : room.furniture.at(index).faces) {
+      faces.push_back(whole_face(side, i));
+      if (cells == Cells::crowded) faces.back().at_edges = {kCrowdedAt};
     }
   }
   return faces;
@@ -181,9 +118,7 @@ void add_contact(WholeFace& face, const WholeFace& other) {
   const Polygon own = face.plane.flatten(face.outline),
                 touching = face.plane.flatten(other.outline);
   if (!extent(own).intersects(extent(touching))) return;
-  for (Polygon& piece : convex_pieces(touching)) {
-    face.regions.push_back({std::move(piece), kCutAway});
-  }
+  add_region(face, other.outline, kCutAway);
 }
 
 void add_contacts(std::vector<WholeFace>& faces) {
@@ -193,6 +128,7 @@ void add_contacts(std::vector<WholeFace>& faces) {
       if (!faces[front->front()].plane.same_plane(faces[back->front()].plane, -1)) continue;
       for (const std::size_t i : *front) {
         for (const std::size_t k : *back) {
+          if (faces[i].surface == faces[k].surface) continue;  // both sides of a sheet
           add_contact(faces[i], faces[k]);
           add_contact(faces[k], faces[i]);
         }
@@ -204,9 +140,9 @@ void add_contacts(std::vector<WholeFace>& faces) {
 /// How far apart two faces are that are parallel and look at each other.
 std::optional<double> gap_m(const WholeFace& a, const WholeFace& b) {
   const Eigen::Vector3d &n = a.plane.normal(), m = b.plane.normal();
-  if ((n + m).norm() > kCoplanarM) return {};
+  if ((n + m).norm() > kCoplanar_m) return {};
   const double gap = n.dot(b.outline.front() - a.outline.front());
-  return gap > -kCoplanarM ? std::optional(std::max(gap, 0.0)) : std::nullopt;
+  return gap > -kCoplanar_m ? std::optional(std::max(gap, 0.0)) : std::nullopt;
 }
 
 /// Light changes fast where furniture stands on a face, and where it is nearer to one than patches
@@ -221,7 +157,7 @@ void crowd(std::vector<WholeFace>& faces, const Room& room, double patch_m) {
       if (&face == &other || !is_furniture(other)) continue;
       const std::optional<double> gap = gap_m(face, other);
       if (!gap || *gap >= patch_m) continue;
-      if (*gap <= kCoplanarM) {
+      if (*gap <= kCoplanar_m) {
         add_outline(face, other, kCrowdedAt * patch_m);
       } else {
         add_outline(face, other, -kGapsInside * *gap);
@@ -255,12 +191,6 @@ void cut_into_patches(const WholeFace& face, double patch_m,
   }
 }
 
-void require_room(const Room& room) {
-  if (!(area(room.plan_m) > 0 && room.height_m > 0)) {  // written so that NaN fails too
-    throw std::invalid_argument("the plan is not counter-clockwise, or the height not above 0");
-  }
-}
-
 void require_sensible_patches(const std::vector<WholeFace>& faces, double patch_m) {
   if (!(patch_m > 0)) {
     throw std::invalid_argument(fmt::format("patch_m is {}; want a length above 0", patch_m));
@@ -278,7 +208,6 @@ void require_sensible_patches(const std::vector<WholeFace>& faces, double patch_
 }  // namespace
 
 PatchMesh mesh_room(const Room& room, double patch_m, Cells cells) {
-  require_room(room);
   std::vector<WholeFace> faces = whole_faces(room, cells);
   require_sensible_patches(faces, patch_m);
   if (cells == Cells::crowded) crowd(faces, room, patch_m);

@@ -31,8 +31,8 @@ enum class Cells {
 /// Cuts every surface into convex patches with no edge longer than `patch_m`, narrower ones where
 /// `cells` says, that follow openings, panels and contact lines of furniture; faces that
 /// touch (nearer than 1e-9 m) are removed on both sides. Grids lie along the face's longest edge.
-/// @param room  its boxes lie inside and do not overlap, as scenes::read_room ensures
-/// @throws std::invalid_argument  if patch_m is not positive or the plan is not a simple polygon
+/// @param room  its furniture lies inside and does not overlap, as scenes::read_room ensures
+/// @throws std::invalid_argument  if patch_m is not positive or a face is not a simple polygon
 /// @throws std::length_error  if patch_m asks for more than 20 million patches
 [[nodiscard]] PatchMesh mesh_room(const Room& room, double patch_m, Cells cells = Cells::at_edges);
 

@@ -64,13 +64,11 @@ void add_point_light(scenes::Room& room, const Vector3d& at_m, double flux) {
 }
 
 /// 5.2, 5.3, 5.4: the black room of 4 x 4 x 3 m.
-scenes::Room hall() { return black_box({4, 4, 3}, 0.5); }
+scenes::RoomBuilder hall() { return black_box({4, 4, 3}).patches(0.5); }
 
 /// 5.3, 5.4: with a square diffuse panel in the middle of the ceiling that emits 1 W m^-2 nm^-1.
 scenes::Room panel_hall(double edge_m) {
-  scenes::Room room = hall();
-  add_ceiling_panel(room, edge_m);
-  add_surfaces(room, 0);
+  scenes::Room room = hall().panel(1, {2, 2}, {edge_m, edge_m}).room();
   room.surfaces.back().exitance.values.setOnes();
   return room;
 }
@@ -88,20 +86,16 @@ constexpr double kFloorReflectance = 0.8, kSunNormal = 2;
 
 constexpr double kSunlitPatch_m = 4.0 / 18;  ///< with constant light
 
-scenes::Room sunlit_hall() {
-  scenes::Room room = black_box({4, 4, 3}, kSunlitPatch_m);
-  room.openings = {{.name = "window",
-                    .wall = 0,
-                    .offset_m = 1,
-                    .sill_m = 1,
-                    .width_m = 2,
-                    .height_m = 2,
-                    .transmittance = spectra::constant(room.grid, 1)}};
+scenes::RoomBuilder sunlit_hall() {
+  return black_box({4, 4, 3}).patches(kSunlitPatch_m).opening(0, {1, 1}, {2, 2});
+}
+
+void light_floor(scenes::Room& room) {
   room.suns = {{.name = "sun",
                 .azimuth_deg = 180,
                 .altitude_deg = 45,
                 .normal_irradiance = spectra::constant(room.grid, kSunNormal)}};
-  return room;
+  room.surfaces[0].reflectance.values.setConstant(kFloorReflectance);
 }
 
 double lit_radiosity() { return kFloorReflectance * kSunNormal * std::sqrt(0.5); }
@@ -137,9 +131,8 @@ void add_receivers_behind_screen(scenes::Room& room, const std::vector<double>& 
 std::vector<Check> check_cie171_5_2() {
   constexpr double kFlux = 100;
   const Vector3d lamp(1.6, 2.3, 2.4);
-  scenes::Room room = hall();
+  scenes::Room room = hall().room();
   add_point_light(room, lamp, kFlux);
-  add_surfaces(room, 0);
   for (const double s : {0.3, 1.6, 2.9, 3.7}) {
     room.receivers.push_back({.name = "floor", .at_m = {s, 1.1, 0}, .normal = {0, 0, 1}});
     room.receivers.push_back({.name = "wall", .at_m = {4, s, 0.7}, .normal = {-1, 0, 0}});
@@ -222,9 +215,8 @@ std::vector<Check> check_cie171_5_4() {
 // 5.6 Reflection by a diffuse surface that parallel light falls on: E = rho E_0 sin(altitude) x
 // configuration factor of the lit square.
 std::vector<Check> check_cie171_5_6() {
-  scenes::Room room = sunlit_hall();
-  add_surfaces(room, 0);
-  room.surfaces[0].reflectance.values.setConstant(kFloorReflectance);
+  scenes::Room room = sunlit_hall().room();
+  light_floor(room);
   std::vector<double> expected;
   for (const double s : {0.3, 1.4, 2.0, 3.8}) {
     const double z = 1.2 + 0.45 * s;
@@ -243,10 +235,8 @@ std::vector<Check> check_cie171_5_6() {
 // 5.7 The same behind a screen that stands on the floor from wall to wall: of the lit square only
 // what is seen above its edge counts. The edge of the shadow falls between patches, or across them.
 std::vector<Check> check_cie171_5_7() {
-  scenes::Room room = sunlit_hall();
-  room.furniture = {{.name = "screen", .min_m = {0, 3.5, 0}, .max_m = {4, 3.55, kScreenTop_m}}};
-  add_surfaces(room, 0);
-  room.surfaces[0].reflectance.values.setConstant(kFloorReflectance);
+  scenes::Room room = sunlit_hall().box({0, 3.5, 0}, {4, 3.55, kScreenTop_m}).room();
+  light_floor(room);
   std::vector<double> expected;
   // Up to y = 13/9, 19/9 and 23/9, where patches meet.
   add_receivers_behind_screen(room, {46.0 / 37, 34.0 / 25, 26.0 / 17}, expected);
@@ -267,10 +257,8 @@ std::vector<Check> check_cie171_5_7() {
 // everywhere (check_sphere), in any closed room this is its mean.
 std::vector<Check> check_cie171_5_8() {
   constexpr double kFlux = 10000;
-  scenes::Room room = black_box({4, 4, 4}, 1);
-  room.grid = spectra::kTransportGrid;
+  scenes::Room room = black_box({4, 4, 4}, spectra::kTransportGrid).patches(1).room();
   add_point_light(room, {2, 2, 2}, kFlux);
-  add_surfaces(room, 0);
   const ArrayXd reflectance = ArrayXd::LinSpaced(31, 0.05, 0.9999);
   for (scenes::Surface& s : room.surfaces) s.reflectance.values = reflectance;
   const SolvedRoom lit = solved(room);

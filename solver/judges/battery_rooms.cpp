@@ -21,29 +21,28 @@ struct Sample {
   double flux = 0;
 };
 
-scenes::Room bare(std::vector<Vector2d> plan_m, double height_m) {
-  return {.grid = spectra::kTransportGrid,
-          .plan_m = std::move(plan_m),
-          .height_m = height_m,
-          .patch_m = 0.6};
+scenes::RoomBuilder bare(const scenes::Polygon& plan_m, double height_m) {
+  return scenes::RoomBuilder(plan_m, height_m, 0).patches(0.6);
+}
+
+scenes::RoomBuilder lit_box() {
+  return bare(scenes::rectangular_plan(5, 4), 2.7).panel(1, {2.5, 2}, {1.2, 1.2});
 }
 
 /// Panel on the ceiling.
 Sample empty_box() {
-  Sample s{.name = "empty box", .room = bare({{0, 0}, {5, 0}, {5, 4}, {0, 4}}, 2.7)};
-  add_ceiling_panel(s.room, 1.2);
-  s.flux = kPanelExitance * 1.2 * 1.2;
-  return s;
+  return {.name = "empty box", .room = lit_box().room(), .flux = kPanelExitance * 1.2 * 1.2};
 }
 
 /// Desk on the floor, a turned cupboard, a shelf in the air; panel and point light.
 Sample furnished() {
   Sample s = empty_box();
   s.name = "furnished";
-  s.room.furniture = {
-      {.name = "desk", .min_m = {1.7, 1.6, 0}, .max_m = {3.3, 2.4, 0.75}},
-      {.name = "cupboard", .min_m = {3.8, 3, 0}, .max_m = {4.6, 3.4, 2}, .rotate_z_deg = 30},
-      {.name = "shelf", .min_m = {0.5, 1, 1.2}, .max_m = {1, 3, 1.25}}};
+  s.room = lit_box()
+               .box({1.7, 1.6, 0}, {3.3, 2.4, 0.75})
+               .box({3.8, 3, 0}, {4.6, 3.4, 2}, 30)
+               .box({0.5, 1, 1.2}, {1, 3, 1.25})
+               .room();
   s.room.point_lights = {{.name = "bulb",
                           .at_m = {1.2, 0.6, 1.8},
                           .spectral_flux = spectra::constant(s.room.grid, kPointFlux)}};
@@ -54,14 +53,9 @@ Sample furnished() {
 /// A reflex corner, and the sun through a window.
 Sample l_shaped() {
   Sample s{.name = "L-shaped, sun",
-           .room = bare({{0, 0}, {5, 0}, {5, 2}, {2.5, 2}, {2.5, 4.5}, {0, 4.5}}, 2.6)};
-  s.room.openings = {{.name = "window",
-                      .wall = 0,
-                      .offset_m = 0.7,
-                      .sill_m = 0.9,
-                      .width_m = 1.6,
-                      .height_m = 1.2,
-                      .transmittance = spectra::constant(s.room.grid, 0.7)}};
+           .room = bare({{0, 0}, {5, 0}, {5, 2}, {2.5, 2}, {2.5, 4.5}, {0, 4.5}}, 2.6)
+                       .opening(0, {0.7, 0.9}, {1.6, 1.2}, 0.7)
+                       .room()};
   const scenes::Sun sun{.name = "sun",
                         .azimuth_deg = 200,
                         .altitude_deg = 35,
@@ -88,7 +82,8 @@ Sample two_rooms() {
                          {3, 1.9},
                          {3, 3},
                          {0, 3}},
-                        2.5)};
+                        2.5)
+                       .room()};
   s.room.point_lights = {{.name = "bulb",
                           .at_m = {1.4, 1.7, 2.1},
                           .spectral_flux = spectra::constant(s.room.grid, kPointFlux)}};
@@ -108,42 +103,8 @@ void paint_at_random(scenes::Room& room, double most, unsigned seed) {
 
 }  // namespace
 
-void add_surfaces(scenes::Room& room, double reflectance) {
-  using scenes::SurfaceKind;
-  const auto add = [&](const std::string& name, SurfaceKind kind, std::size_t index) {
-    room.surfaces.push_back({.name = name,
-                             .kind = kind,
-                             .index = static_cast<int>(index),
-                             .reflectance = spectra::constant(room.grid, reflectance),
-                             .exitance = spectra::constant(room.grid, 0)});
-  };
-  add("floor", SurfaceKind::floor, 0);
-  add("ceiling", SurfaceKind::ceiling, 0);
-  for (std::size_t i = 0; i < room.plan_m.size(); ++i) {
-    add("wall_" + std::to_string(i + 1), SurfaceKind::wall, i);
-  }
-  for (std::size_t i = 0; i < room.openings.size(); ++i) {
-    add(room.openings[i].name, SurfaceKind::opening, i);
-  }
-  for (std::size_t i = 0; i < room.panels.size(); ++i) {
-    add(room.panels[i].name, SurfaceKind::panel, i);
-  }
-  for (std::size_t i = 0; i < room.furniture.size(); ++i) {
-    add(room.furniture[i].name, SurfaceKind::furniture, i);
-  }
-}
-
-scenes::Room black_box(const Eigen::Vector3d& size_m, double patch_m) {
-  const double w = size_m.x(), d = size_m.y();
-  return {.grid = {.first_nm = 550, .step_nm = 10, .count = 1},
-          .plan_m = {{0, 0}, {w, 0}, {w, d}, {0, d}},
-          .height_m = size_m.z(),
-          .patch_m = patch_m};
-}
-
-void add_ceiling_panel(scenes::Room& room, double edge_m) {
-  room.panels.push_back(
-      {.name = "panel", .on = 1, .center_m = room.plan_m[2] / 2, .size_m = {edge_m, edge_m}});
+scenes::RoomBuilder black_box(const Eigen::Vector3d& size_m, const spectra::Grid& grid) {
+  return {scenes::rectangular_plan(size_m.x(), size_m.y()), size_m.z(), 0, grid};
 }
 
 ArrayXd SolvedRoom::flux_on(int surface) const {
@@ -170,7 +131,6 @@ std::vector<Check> check_white_furnace() {
     scenes::Room& room = sample.room;
     room.point_lights.clear();
     room.suns.clear();
-    add_surfaces(room, 0);
     paint_at_random(room, 0.9999, 11);
     room.surfaces[0].reflectance.values.setConstant(0.9999);
     for (scenes::Surface& s : room.surfaces) {
@@ -192,7 +152,6 @@ std::vector<Check> check_flux() {
   std::vector<Check> checks;
   for (Sample& sample : samples()) {
     scenes::Room& room = sample.room;
-    add_surfaces(room, 0);
     paint_at_random(room, 0.95, 12);
     for (scenes::Surface& s : room.surfaces) {
       if (s.kind == scenes::SurfaceKind::panel) s.exitance.values.setConstant(kPanelExitance);

@@ -1,20 +1,15 @@
 #pragma once
-#include "scenes/room.h"
+#include "scenes/shapes/room_builder.h"
 #include "solver/rooms/room_light.h"
 
 namespace solver {
 
 /// Rooms of the battery, made in code: the battery reads no files.
 
-/// The surfaces that the plan, openings, panels and furniture of a room make, in the order of
-/// Room::surfaces; dark, with one reflectance for all.
-void add_surfaces(scenes::Room& room, double reflectance);
-
-/// An empty rectangular room that reflects nothing, one band; patches of `patch_m`.
-[[nodiscard]] scenes::Room black_box(const Eigen::Vector3d& size_m, double patch_m);
-
-/// Adds a square lamp in the middle of the ceiling, before add_surfaces.
-void add_ceiling_panel(scenes::Room& room, double edge_m);
+/// An empty rectangular room that reflects nothing.
+[[nodiscard]] scenes::RoomBuilder black_box(const Eigen::Vector3d& size_m,
+                                            const spectra::Grid& grid = {
+                                                .first_nm = 550, .step_nm = 10, .count = 1});
 
 struct SolvedRoom {
   RoomTransport transport;

@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
+
+#include "scenes/shapes/plates.h"
 
 namespace solver {
 namespace {
@@ -21,29 +24,45 @@ Plane plane_through(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
 
 Plane reversed(const Plane& p) { return {-p.normal, -p.offset_m}; }
 
-Blocker box_of(const scenes::Box& box) {
-  const std::vector<Eigen::Vector2d> base = scenes::footprint(box);
-  Blocker b;
-  for (const double z : {box.min_m.z(), box.max_m.z()}) {
-    for (const Eigen::Vector2d& p : base) b.corners.emplace_back(p.x(), p.y(), z);
+/// Its faces or, if they are many, the sides of a box around it that lies along the first of them.
+std::vector<Plane> guards_of(const Blocker& blocker) {
+  std::vector<Plane> guards;
+  if (blocker.faces.size() <= kMostGuards) {
+    for (const Blocker::Face& face : blocker.faces) guards.push_back(face.plane);
+    return guards;
   }
-  for (const std::vector<int>& corners : {std::vector{3, 2, 1, 0},
-                                          {4, 5, 6, 7},
-                                          {0, 1, 5, 4},
-                                          {1, 2, 6, 5},
-                                          {2, 3, 7, 6},
-                                          {3, 0, 4, 7}}) {
+  const Vector3d first = blocker.faces.front().plane.normal, second = first.unitOrthogonal();
+  for (const Vector3d& axis : {first, second, Vector3d(first.cross(second))}) {
+    for (const Vector3d& outwards : {axis, Vector3d(-axis)}) {
+      double furthest_m = -std::numeric_limits<double>::infinity();
+      for (const Vector3d& c : blocker.corners) furthest_m = std::max(furthest_m, outwards.dot(c));
+      guards.push_back({outwards, furthest_m});
+    }
+  }
+  return guards;
+}
+
+Blocker with_guards(Blocker blocker) {
+  blocker.guards = guards_of(blocker);
+  return blocker;
+}
+
+Blocker blocker_of(const scenes::ConvexPart& part) {
+  Blocker b{.corners = part.corners, .faces = {}, .guards = {}};
+  for (const std::vector<int>& corners : part.faces) {
     const auto at = [&](std::size_t k) { return b.corners[static_cast<std::size_t>(corners[k])]; };
     b.faces.push_back({plane_through(at(0), at(1), at(2)), corners});
   }
-  return b;
+  return with_guards(std::move(b));
 }
 
 Blocker plate_of(Polygon polygon, const Plane& plane) {
   std::vector<int> front(polygon.size());
   for (std::size_t k = 0; k < front.size(); ++k) front[k] = static_cast<int>(k);
   const std::vector<int> back(front.rbegin(), front.rend());
-  return {.corners = std::move(polygon), .faces = {{plane, front}, {reversed(plane), back}}};
+  return with_guards({.corners = std::move(polygon),
+                      .faces = {{plane, front}, {reversed(plane), back}},
+                      .guards = {}});
 }
 
 /// Where the light is above a plane: m, or the sine of its altitude.
@@ -101,24 +120,20 @@ bool outside(const Polygon& polygon, const std::vector<Plane>& shadow) {
 
 std::vector<Blocker> blockers_of(const scenes::Room& room) {
   std::vector<Blocker> blockers;
-  for (const scenes::Box& box : room.furniture) blockers.push_back(box_of(box));
-  for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
-    const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
-    if (surface.kind != scenes::SurfaceKind::wall) continue;
-    const scenes::Frame frame = scenes::frame_of(room, s);
-    const Plane plane{frame.normal, frame.normal.dot(frame.origin_m)};
-    const bool whole_plan_in_front =
-        std::ranges::all_of(room.plan_m, [&](const Eigen::Vector2d& p) {
-          return plane.height_m({p.x(), p.y(), 0}) > -kTouching_m;
-        });
-    if (whole_plan_in_front) continue;
-    const auto i = static_cast<std::size_t>(surface.index);
-    const Eigen::Vector2d &a = room.plan_m[i], &b = room.plan_m[(i + 1) % room.plan_m.size()];
-    blockers.push_back(plate_of({{a.x(), a.y(), 0},
-                                 {a.x(), a.y(), room.height_m},
-                                 {b.x(), b.y(), room.height_m},
-                                 {b.x(), b.y(), 0}},
-                                plane));
+  for (const scenes::Body& body : room.furniture) {
+    for (const scenes::ConvexPart& part : body.parts) blockers.push_back(blocker_of(part));
+  }
+  for (const scenes::ShellFace& face : room.shell) {
+    const Plane plane{face.frame.normal, face.frame.normal.dot(face.frame.origin_m)};
+    const auto has_behind = [&](const scenes::ShellFace& other) {
+      return std::ranges::any_of(other.outline, [&](const Vector3d& corner) {
+        return plane.height_m(corner) <= -kTouching_m;
+      });
+    };
+    if (std::ranges::none_of(room.shell, has_behind)) continue;
+    for (Polygon& part : scenes::convex_parts(face.outline, face.holes)) {
+      blockers.push_back(plate_of(std::move(part), plane));
+    }
   }
   return blockers;
 }

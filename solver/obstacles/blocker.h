@@ -7,7 +7,7 @@
 
 namespace solver {
 
-/// A convex body that stops light: a box of furniture, or a wall as a plate with two faces.
+/// A convex body that stops light: a part of furniture, or of a wall as a plate with two faces.
 struct Blocker {
   struct Face {
     Plane plane;               ///< outside is in front
@@ -16,9 +16,13 @@ struct Blocker {
 
   std::vector<Eigen::Vector3d> corners;
   std::vector<Face> faces;
+  std::vector<Plane>
+      guards;  ///< at most kMostGuards, with all of it behind: faces, or a box around
 };
 
-/// Furniture, and the walls of a plan that is not convex (those of its convex hull hide nothing).
+inline constexpr std::size_t kMostGuards = 7;
+
+/// Furniture, and those faces of the shell that have some of the room behind them.
 [[nodiscard]] std::vector<Blocker> blockers_of(const scenes::Room& room);
 
 /// What is in front of a plane. A blocker that crosses it falls apart into plates, which together

@@ -113,11 +113,11 @@ void Visibility::separate(const Vertices& vertices, const Plane& own, std::uint8
         std::all_of(blocker.corners.begin(), blocker.corners.end(),
                     [&](const Vector3d& c) { return own.height_m(c) < kTouching_m; });
     if (behind) mask[b] |= kBehind;
-    for (std::size_t f = 0; f < blocker.faces.size(); ++f) {
+    for (std::size_t g = 0; g < blocker.guards.size(); ++g) {
       const bool outside = std::all_of(vertices.begin(), vertices.end(), [&](const Vector3d& v) {
-        return blocker.faces[f].plane.height_m(v) > -kTouching_m;
+        return blocker.guards[g].height_m(v) > -kTouching_m;
       });
-      if (outside) mask[b] |= static_cast<std::uint8_t>(1U << f);
+      if (outside) mask[b] |= static_cast<std::uint8_t>(1U << g);
     }
   }
 }

@@ -13,8 +13,8 @@
 namespace solver {
 
 /// Which blockers a convex set (patch or point) cannot have in its way. One byte per blocker: bits
-/// 0..5 say that the set lies outside that face plane of the blocker, bit 7 that the blocker lies
-/// behind the set's own plane.
+/// 0..6 say that the set lies outside that guard of the blocker, bit 7 that the blocker lies behind
+/// the set's own plane.
 using SeparationMask = std::vector<std::uint8_t>;
 
 /// A share of light between two convex sets that gets past everything in between.
@@ -23,7 +23,7 @@ struct VisibleShare {
   double standard_error = 0;  ///< 0 where no ray was needed or all rays agreed
 };
 
-/// What can stand between patches: furniture, and the walls of a plan that is not convex.
+/// What can stand between patches: furniture, and the shell of a room that is not convex.
 class Visibility {
  public:
   /// @param mesh  its patches can be asked about by number
@@ -34,8 +34,8 @@ class Visibility {
   /// Nothing can block anything: an empty convex room.
   [[nodiscard]] bool unobstructed() const { return blockers_.empty(); }
 
-  /// False only if no blocker can touch any segment between the two: some face plane of each
-  /// blocker has both sets outside, or the blocker is behind one of them.
+  /// False only if no blocker can touch any segment between the two: some guard of each blocker has
+  /// both sets outside, or the blocker is behind one of them.
   [[nodiscard]] bool may_block(int patch_i, int patch_j) const;
   [[nodiscard]] bool may_block(const SeparationMask& set, int patch) const;
   [[nodiscard]] SeparationMask separation(const Eigen::Vector3d& point,

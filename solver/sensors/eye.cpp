@@ -44,6 +44,19 @@ GatherRow seen(VectorXd sum, const std::vector<double>& area_m2) {
   return closed_row(std::move(sum), area_m2);
 }
 
+/// Of a wall: its longest level edge.
+double length_m(const scenes::Room& room, int surface) {
+  double longest_m = 0;
+  for (const scenes::ShellFace& face : room.shell) {
+    if (face.surface != surface) continue;
+    for (std::size_t k = 0; k < face.outline.size(); ++k) {
+      const Vector3d edge = face.outline[(k + 1) % face.outline.size()] - face.outline[k];
+      if (std::abs(edge.z()) < scenes::kCoplanar_m) longest_m = std::max(longest_m, edge.norm());
+    }
+  }
+  return longest_m;
+}
+
 /// The surface to look at when the file names no view, and the middle of it.
 std::pair<int, Vector3d> default_target(const scenes::Room& room, std::size_t group,
                                         const scenes::PatchMesh& mesh) {
@@ -54,8 +67,7 @@ std::pair<int, Vector3d> default_target(const scenes::Room& room, std::size_t gr
     }
     const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
     if (area == 0 || surface.kind != scenes::SurfaceKind::wall) return area;
-    const auto i = static_cast<std::size_t>(surface.index);
-    return 1e6 + (room.plan_m[(i + 1) % room.plan_m.size()] - room.plan_m[i]).norm();
+    return 1e6 + length_m(room, s);
   };
   std::vector<int> candidates;
   if (!room.paint.empty()) {

@@ -22,7 +22,8 @@ std::vector<SunBeam> beams(const scenes::Room& room, const std::vector<Blocker>&
     for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
       const scenes::Surface& surface = room.surfaces[static_cast<std::size_t>(s)];
       if (surface.kind != scenes::SurfaceKind::opening) continue;
-      const Facet glass = make_facet(scenes::rectangle_of(room, s));
+      const scenes::Opening& opening = room.openings[static_cast<std::size_t>(surface.index)];
+      const Facet glass = make_facet(opening.outline);
       const Vector3d to_sun = towards_sun(sun);
       if (-glass.normal.dot(to_sun) <= 1e-9) continue;  // the sun is behind the wall
       SunBeam beam{.surface = s,
@@ -36,9 +37,7 @@ std::vector<SunBeam> beams(const scenes::Room& room, const std::vector<Blocker>&
         const double side = inward.dot(glass.centre - a) > 0 ? 1 : -1;
         beam.sides.push_back({side * inward, side * inward.dot(a)});
       }
-      beam.normal_irradiance =
-          sun.normal_irradiance.values *
-          room.openings[static_cast<std::size_t>(surface.index)].transmittance.values;
+      beam.normal_irradiance = sun.normal_irradiance.values * opening.transmittance.values;
       all.push_back(std::move(beam));
     }
   }

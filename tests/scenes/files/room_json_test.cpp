@@ -235,11 +235,11 @@ TEST(RoomJson, NamelessWallsAreNumberedFromOne) {
 
 TEST(RoomJson, GeometryIsTakenAsGiven) {
   const Room room = read(sample_room());
-  EXPECT_EQ(room.plan_m.at(2), Eigen::Vector2d(5, 4));
-  EXPECT_EQ(room.openings.at(0).wall, 0);
+  EXPECT_EQ(room.shell.at(0).outline.at(2), Eigen::Vector3d(5, 4, 0));
+  EXPECT_EQ(room.openings.at(0).face, 2);
   EXPECT_EQ(room.openings.at(0).transmittance.values.minCoeff(), 1);
-  EXPECT_EQ(room.panels.at(0).on, 1);
-  EXPECT_EQ(room.furniture.at(0).max_m, Eigen::Vector3d(2, 2, 0.75));
+  EXPECT_EQ(room.panels.at(0).face, 1);
+  EXPECT_EQ(room.furniture.at(0).parts.at(0).corners.at(6), Eigen::Vector3d(2, 2, 0.75));
   EXPECT_EQ(room.receivers.at(0).normal, Eigen::Vector3d(0, -1, 0));
   EXPECT_EQ(room.view->look_at_m, Eigen::Vector3d(2.5, 4, 1.35));
 }

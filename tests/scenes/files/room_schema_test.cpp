@@ -29,6 +29,14 @@ const std::vector<SchemaObject> kObjects{
     {"opening", "/openings/0", "{}"},
     {"furniture", "/furniture/0", "{}"},
     {"box", "/furniture/0/box_m", "{}"},
+    {"prism", "/furniture/0/prism", "{}"},
+    {"cylinder", "/furniture/0/cylinder", "{}"},
+    {"stairs", "/furniture/0/stairs", "{}"},
+    {"sheet", "/furniture/0/sheet", "{}"},
+    {"rotation", "/furniture/0/rotate", "{}"},
+    {"ceiling", "/ceiling", "{}"},
+    {"roof_plane", "/ceiling/planes/0", "{}"},
+    {"face", "/faces/0", "{}"},
     {"reflectance_curve", "/surfaces/floor", R"({"nm": 0})"},
     {"paint_reference", "/surfaces/floor", R"({"paint": 0})"},
     {"file_reference", "/surfaces/floor", R"({"file": 0})"},
@@ -71,6 +79,11 @@ json room_with_unknown_key(const SchemaObject& object) {
   json room = sample_room();
   const json::json_pointer place(object.place);
   if (object.definition == "power_curve") room["lights"][0].erase("flux_lm");
+  for (const char* kind : {"prism", "cylinder", "stairs", "sheet"}) {
+    if (object.definition == kind) room["furniture"][0].erase("box_m");
+  }
+  if (object.definition == "roof_plane") room["ceiling"] = {{"planes", json::array({0})}};
+  if (object.definition == "face") room["faces"] = json::array({0, 0, 0, 0});
   for (const char* kind : {"point", "sun", "luminaire"}) {
     if (object.definition == kind) room["lights"][0].erase("panel");
   }

@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "scenes/shapes/shell.h"
+#include "tests/scenes/shapes/volumes.h"
 #include "tests/scenes/test_rooms.h"
 
 namespace scenes {
@@ -31,6 +33,27 @@ RoomBuilder office() {
   office.box({0.3, 2.6, 0}, {1.7, 3.4, 0.75}, 20);   // on the floor, turned
   office.box({0, 0, 2.3}, {0.6, 0.6, 2.7});          // in an upper corner
   return office;
+}
+
+/// Slopes of 45 degrees from two walls 1 m high, a level part between them.
+RoomBuilder attic() {
+  const Polygon plan = rectangular_plan(5, 4);
+  RoomBuilder attic(plan, {pitched_plane(edge_line(plan, 0), 1, 45),
+                           pitched_plane(edge_line(plan, 2), 1, 45),
+                           {.height_m = 2.4}});
+  attic.opening(1, {1, 0.5}, {1.2, 1.5});
+  attic.body(prism_body("column", regular_polygon({1.2, 2}, 0.15, 12), 0, 2.4));
+  attic.body(prism_body("corner sofa",
+                        {{2.5, 1}, {4.5, 1}, {4.5, 3}, {3.7, 3}, {3.7, 1.8}, {2.5, 1.8}}, 0, 0.45));
+  attic.body(sheet_body("screen", {{2, 1, 0}, {2, 2, 0}, {2, 2, 1.6}, {2, 1, 1.6}}));
+  attic.body(sheet_body("poster", {{0, 1.5, 1}, {0, 2.5, 1}, {0, 2.5, 1.7}, {0, 1.5, 1.7}}));
+  attic.body(stairs_body("steps", {.foot_m = {3.4, 3.5, 0},
+                                   .direction_deg = 180,
+                                   .width_m = 0.6,
+                                   .rise_m = 0.15,
+                                   .going_m = 0.3,
+                                   .steps = 3}));
+  return attic;
 }
 
 std::vector<Case> cases() {
@@ -103,17 +126,11 @@ std::vector<Case> cases() {
                       .box({0.5, 2, 0}, {1.5, 3, 1})
                       .room(),
                   0.3});
+  list.push_back({"Attic", attic().room(), 0.3});
   return list;
 }
 
-double plan_area(const Room& room) {
-  double twice = 0;
-  for (std::size_t i = 0; i < room.plan_m.size(); ++i) {
-    const Eigen::Vector2d a = room.plan_m[i], b = room.plan_m[(i + 1) % room.plan_m.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
-}
+double floor_m2(const Room& room) { return vector_area_m2(room.shell[0].outline).z(); }
 
 double area_of(const PatchMesh& mesh, int surface) {
   long double sum = 0;
@@ -145,8 +162,8 @@ TEST_P(EveryRoom, IsClosed) {
 
 // Divergence theorem; with closedness it also finds patches in the wrong plane.
 TEST_P(EveryRoom, HoldsTheVolumeOfTheAir) {
-  double expected = plan_area(room_) * room_.height_m;
-  for (const Box& box : room_.furniture) expected -= (box.max_m - box.min_m).prod();
+  double expected = volume_within(room_.shell);
+  for (const Body& body : room_.furniture) expected -= volume_within(body.faces);
   long double volume = 0;  // in double, 1e5 equal terms round the same way and leave 1e-11
   for (std::size_t i = 0; i < mesh_.area_m2.size(); ++i) {
     volume -= mesh_.area_m2[i] * mesh_.normal[i].dot(mesh_.centre[i]) / 3;
@@ -155,12 +172,15 @@ TEST_P(EveryRoom, HoldsTheVolumeOfTheAir) {
 }
 
 TEST_P(EveryRoom, FloorIsThePlanWithoutFootprintsAndPanels) {
-  double expected = plan_area(room_);
-  for (const Box& box : room_.furniture) {
-    if (box.min_m.z() == 0) expected -= (box.max_m - box.min_m).head<2>().prod();
+  double expected = floor_m2(room_);
+  for (const Body& body : room_.furniture) {
+    for (const Outline& face : body.faces) {
+      const bool stands = std::ranges::all_of(face, [](const auto& p) { return p.z() == 0; });
+      if (stands) expected -= vector_area_m2(face).norm();
+    }
   }
   for (const Panel& panel : room_.panels) {
-    if (panel.on == 0) expected -= panel.size_m.prod();
+    if (panel.face == 0) expected -= vector_area_m2(panel.outline).norm();
   }
   EXPECT_NEAR(area_of(mesh_, 0), expected, 1e-12 * expected);
 }
@@ -170,10 +190,11 @@ TEST_P(EveryRoom, OpeningsAndPanelsKeepTheirArea) {
     const Surface& s = room_.surfaces[static_cast<std::size_t>(i)];
     const auto index = static_cast<std::size_t>(s.index);
     if (s.kind == SurfaceKind::opening) {
-      const Opening& o = room_.openings[index];
-      EXPECT_NEAR(area_of(mesh_, i), o.width_m * o.height_m, 1e-12) << s.name;
+      const double area_m2 = vector_area_m2(room_.openings[index].outline).norm();
+      EXPECT_NEAR(area_of(mesh_, i), area_m2, 1e-12) << s.name;
     } else if (s.kind == SurfaceKind::panel) {
-      EXPECT_NEAR(area_of(mesh_, i), room_.panels[index].size_m.prod(), 1e-12) << s.name;
+      const double area_m2 = vector_area_m2(room_.panels[index].outline).norm();
+      EXPECT_NEAR(area_of(mesh_, i), area_m2, 1e-12) << s.name;
     }
   }
 }

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <numbers>
 #include <random>
+#include <string>
 
+#include "scenes/shapes/room_builder.h"
 #include "solver/exchange/exchange.h"
 #include "solver/obstacles/segments.h"
 #include "solver/sources/direct_light.h"
@@ -17,16 +19,25 @@ namespace {
 using Eigen::Vector3d;
 using Polygon = std::vector<Vector3d>;
 
-const scenes::Box kDesk{
-    .name = "desk", .min_m = {1, 1, 0.2}, .max_m = {2.2, 1.7, 0.9}, .rotate_z_deg = 25};
-const scenes::Box kShelf{.name = "shelf", .min_m = {2, 0.5, 0.3}, .max_m = {2.4, 2.5, 1.8}};
+struct Box {
+  std::string name;
+  Vector3d min_m, max_m;
+  double rotate_z_deg = 0;
+};
 
-std::vector<Blocker> furniture(const std::vector<scenes::Box>& boxes) {
-  return blockers_of({.furniture = boxes});
+const Box kDesk{.name = "desk", .min_m = {1, 1, 0.2}, .max_m = {2.2, 1.7, 0.9}, .rotate_z_deg = 25};
+const Box kShelf{.name = "shelf", .min_m = {2, 0.5, 0.3}, .max_m = {2.4, 2.5, 1.8}};
+
+std::vector<Blocker> furniture(const std::vector<Box>& boxes) {
+  scenes::Room room;
+  for (const Box& b : boxes) {
+    room.furniture.push_back(scenes::box_body(b.name, b.min_m, b.max_m, b.rotate_z_deg));
+  }
+  return blockers_of(room);
 }
 
 /// Whether a segment passes through a box, by the slabs of its own frame.
-bool passes(const scenes::Box& box, Vector3d from, Vector3d to) {
+bool passes(const Box& box, Vector3d from, Vector3d to) {
   const Vector3d middle = (box.min_m + box.max_m) / 2;
   const Eigen::AngleAxisd back(-box.rotate_z_deg * std::numbers::pi / 180, Vector3d::UnitZ());
   from = back * (from - middle);
@@ -53,30 +64,12 @@ int count_containing(const std::vector<Polygon>& parts, const Vector3d& normal, 
 }
 
 scenes::Room l_shaped_room() {
-  scenes::Room room{.grid = {.first_nm = 500, .step_nm = 10, .count = 1},
-                    .plan_m = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}},
-                    .height_m = 2.5};
-  const spectra::Spectrum zero{room.grid, Eigen::ArrayXd::Zero(1)};
-  const auto add = [&](const char* name, scenes::SurfaceKind kind, int index) {
-    room.surfaces.push_back(
-        {.name = name, .kind = kind, .index = index, .reflectance = zero, .exitance = zero});
-  };
-  add("floor", scenes::SurfaceKind::floor, 0);
-  add("ceiling", scenes::SurfaceKind::ceiling, 0);
-  for (int wall = 0; wall < 6; ++wall) add("wall", scenes::SurfaceKind::wall, wall);
-  room.openings.push_back({.name = "window",
-                           .wall = 2,
-                           .offset_m = 0.5,
-                           .sill_m = 0.8,
-                           .width_m = 1,
-                           .height_m = 1,
-                           .transmittance = {room.grid, Eigen::ArrayXd::Ones(1)}});
-  add("window", scenes::SurfaceKind::opening, 0);
-  room.furniture.push_back({.name = "post", .min_m = {1, 1.5, 0}, .max_m = {1.9, 3.2, 2.2}});
-  room.furniture.push_back({.name = "desk", .min_m = {3, 0.6, 0}, .max_m = {3.8, 1.4, 0.8}});
-  add("post", scenes::SurfaceKind::furniture, 0);
-  add("desk", scenes::SurfaceKind::furniture, 1);
-  return room;
+  const scenes::Polygon plan_m{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
+  return scenes::RoomBuilder(plan_m, 2.5, 0, {.first_nm = 500, .step_nm = 10, .count = 1})
+      .opening(2, {0.5, 0.8}, {1, 1})
+      .box({1, 1.5, 0}, {1.9, 3.2, 2.2})  // a post
+      .box({3, 0.6, 0}, {3.8, 1.4, 0.8})  // a desk
+      .room();
 }
 
 TEST(Blockers, AreClosedAndOnlyWhatStandsInTheRoom) {
@@ -91,7 +84,7 @@ TEST(Blockers, AreClosedAndOnlyWhatStandsInTheRoom) {
   EXPECT_NEAR(volume_m3, 1.2 * 0.7 * 0.7, 1e-13);
 }
 
-scenes::Box grown(scenes::Box box, double by_m) {
+Box grown(Box box, double by_m) {
   box.min_m.array() -= by_m;
   box.max_m.array() += by_m;
   return box;
@@ -99,7 +92,7 @@ scenes::Box grown(scenes::Box box, double by_m) {
 
 /// Segments that pass within a millimetre of a face, or end there, may go either way.
 /// @return whether it surely passes through the box
-bool expect_blocked(const scenes::Box& box, const Vector3d& a, const Vector3d& b, bool blocked) {
+bool expect_blocked(const Box& box, const Vector3d& a, const Vector3d& b, bool blocked) {
   const bool inside = passes(grown(box, -1e-3), a, b);
   if (inside == passes(grown(box, 1e-3), a, b)) {
     EXPECT_EQ(blocked, inside) << box.name << ": " << a.transpose() << " to " << b.transpose();
@@ -172,7 +165,7 @@ TEST(Segments, AreBlockedByAPlateWithinItsEdges) {
 // A tilted triangle behind two boxes that hide each other in part: every point of it is in one lit
 // part, or its segment to the light passes through a box.
 TEST(Shadows, LitPartsAreWhatSegmentsReach) {
-  const std::vector<scenes::Box> boxes{kDesk, kShelf};
+  const std::vector<Box> boxes{kDesk, kShelf};
   const Facet wall = make_facet({{3.5, 0, 0.1}, {3.3, 3, 0.1}, {3.2, 1.4, 2.6}});
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -205,7 +198,7 @@ TEST(Shadows, SunCastsTheTopAndTheSidesOfABox) {
 }
 
 TEST(Shadows, FacesThatTheLightTouchesAndThatTouchTheLightStayLit) {
-  const scenes::Box post{.name = "post", .min_m = {0, 0, 0}, .max_m = {1, 1, 2}};
+  const Box post{.name = "post", .min_m = {0, 0, 0}, .max_m = {1, 1, 2}};
   const Polygon top{{0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}};
   const Polygon ceiling{{-3, -3, 3}, {-3, 3, 3}, {3, 3, 3}, {3, -3, 3}};
   for (const Vector3d& on_post : {Vector3d(0.5, 0.5, 2), {1, 0.5, 2}, {1, 1, 2}}) {
@@ -230,7 +223,7 @@ TEST(DirectLight, SunIsHiddenOnlyByWhatStandsBehindTheWindow) {
   EXPECT_LT(light.largest_scaling(), 1e-9);
   double on_desk = 0;
   for (std::size_t p = 0; p < mesh.area_m2.size(); ++p) {
-    const bool desk = room.surfaces[static_cast<std::size_t>(mesh.surface[p])].name == "desk";
+    const bool desk = room.surfaces[static_cast<std::size_t>(mesh.surface[p])].name == "box_2";
     if (desk) on_desk += light.irradiance(static_cast<Eigen::Index>(p), 0) * mesh.area_m2[p];
   }
   EXPECT_GT(on_desk, 0.05);

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "scenes/files/room_json.h"
+#include "scenes/shapes/room_builder.h"
+#include "scenes/shapes/shell.h"
 #include "solver/response/room_response.h"
 #include "solver/rooms/room_light.h"
 
@@ -60,7 +62,8 @@ TEST(LampWhite, OfAWallThatNoLampSeesIsTheFluxIntoTheRoom) {
   }
   ASSERT_NE(panel, nullptr);
   // The ceiling, whose own panel does not shine on it.
-  room.view = scenes::View{.eye_m = {1.2, 1.2, 1.5}, .look_at_m = {1.2, 1.2, room.height_m}};
+  room.view = scenes::View{.eye_m = {1.2, 1.2, 1.5},
+                           .look_at_m = {1.2, 1.2, room.shell[1].frame.origin_m.z()}};
   room.paint.clear();
   const RoomTransport transport = prepare_transport(room);
   ASSERT_EQ(room.surfaces[static_cast<std::size_t>(transport.viewed[0].at.surface)].kind,
@@ -105,13 +108,11 @@ TEST(PaintedAngle, OfAllThatIsInViewIsHalfASphere) {
 // 4 asin(a^2 / (a^2 + d^2)) of solid angle.
 TEST(PaintedAngle, OfASquareWallIsItsSolidAngle) {
   scenes::Room room = scenes::read_room(SOURCE_DIR "/scenes/rooms/box.json");
-  room.plan_m = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
-  room.height_m = 3;
+  room.shell = scenes::prism_shell(scenes::rectangular_plan(3, 3), 3);
   room.receivers.clear();
   room.patch_m = 0.5;
   for (scenes::Panel& panel : room.panels) {
-    panel.center_m = {1.5, 1.5};
-    panel.size_m = {0.5, 0.5};
+    panel.outline = scenes::rectangle_in(room.shell[1].frame, {1.25, 1.25}, {1.75, 1.75});
   }
   room.view = scenes::View{.eye_m = {1.5, 1.0, 1.5}, .look_at_m = {1.5, 3, 1.5}};
   room.paint = {{.name = "wall", .surfaces = {4}}};  // y = 3

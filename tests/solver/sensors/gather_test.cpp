@@ -7,6 +7,7 @@
 #include <random>
 
 #include "scenes/files/room_json.h"
+#include "scenes/shapes/room_builder.h"
 #include "solver/exchange/exchange.h"
 #include "solver/factors/pair_factor.h"
 
@@ -79,23 +80,13 @@ TEST_P(GatherIn, VisibleFormFactorsSumToOne) {
   }
 }
 
-scenes::Room bare_room(const std::vector<Eigen::Vector2d>& plan_m) {
-  scenes::Room room{.plan_m = plan_m, .height_m = 2.5};
-  room.surfaces = {{.name = "floor", .kind = scenes::SurfaceKind::floor},
-                   {.name = "ceiling", .kind = scenes::SurfaceKind::ceiling}};
-  for (int wall = 0; wall < static_cast<int>(plan_m.size()); ++wall) {
-    room.surfaces.push_back({.name = "wall", .kind = scenes::SurfaceKind::wall, .index = wall});
-  }
-  return room;
-}
-
 // In sharp and blunt corners too, off the edge never leads behind the point's own wall. The point
 // is moved by 1e-7 m, a millionth of the smallest patches here: so much may be missing of its sky.
 TEST(Gather, PointsOnEdgesSeeAllOfTheRoom) {
   for (const auto& plan :
        {std::vector<Eigen::Vector2d>{{0, 0}, {4, 0}, {0, 3}},
         std::vector<Eigen::Vector2d>{{0, 0}, {4, 0}, {4, 3}, {2, 0.8}, {0, 3}}}) {
-    const scenes::Room room = bare_room(plan);
+    const scenes::Room room = scenes::RoomBuilder(plan, 2.5).room();
     const scenes::PatchMesh mesh = scenes::mesh_room(room, 1.2);
     const std::vector<Facet> facets = facets_of(mesh);
     const Visibility visibility(room, mesh);
