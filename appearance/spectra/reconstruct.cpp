@@ -9,6 +9,7 @@
 #include "appearance/spectra/cie_tables.h"
 #include "appearance/spectra/illuminants.h"
 #include "appearance/spectra/photometry.h"
+#include "appearance/spectra/srgb_transfer.h"
 
 namespace spectra {
 namespace {
@@ -80,11 +81,6 @@ bool solve(const Problem& p, VectorXd& unknowns) {
   return r.norm() < kTolerance;
 }
 
-/// The transfer function of IEC 61966-2-1.
-double srgb_linear(double component) {
-  return component <= 0.04045 ? component / 12.92 : std::pow((component + 0.055) / 1.055, 2.4);
-}
-
 /// The primaries of IEC 61966-2-1 (those of BT.709), balanced to the white of the bands instead of
 /// the rounded (0.3127, 0.3290), so that a grey has a flat reflectance.
 Eigen::Matrix3d srgb_to_xyz(const Eigen::Vector3d& white) {
@@ -130,7 +126,7 @@ RelativeXyz srgb_xyz(const Eigen::Vector3d& rgb) {
   }
   const RelativeXyz white = relative_xyz(constant(kTransportGrid, 1), d65_bands());
   const Eigen::Vector3d xyz =
-      srgb_to_xyz({white.x, white.y, white.z}) * rgb.unaryExpr(&srgb_linear);
+      srgb_to_xyz({white.x, white.y, white.z}) * rgb.unaryExpr(&srgb_decoded);
   return {.x = xyz[0], .y = xyz[1], .z = xyz[2]};
 }
 

@@ -329,6 +329,20 @@ void add_file_commands(CLI::App& program, CommandLine& line) {
       ->required();
   paints.app().add_option("--out", listed->out, "write them as .csv, .cxf, .ase or .gpl");
 
+  Subcommand import(program, "import",
+                    "A room file from a room of a building model (Honeybee's HBJSON)",
+                    "house.hbjson --room Kitchen --out kitchen.json");
+  const auto imported = import.runs(import_model, line);
+  import.app().add_option("MODEL", imported->in, "model file")->required();
+  import.app().add_option("--room", imported->rooms,
+                          "identifier or name of a room; several are joined where they are open "
+                          "to each other (default: the only one)");
+  import.app()
+      .add_option("--sky-lx", imported->sky_lx,
+                  "illuminance of windows from outside, lx: the model has no lamps (default 5000)")
+      ->check(CLI::Range(1e-3, 1e6));
+  add_out(import.app(), imported->out, "room file to be written");
+
   Subcommand cube(program, "cube", "Closed form of six faces at 1 nm [Neumann2004]: radiosity.csv",
                   "scenes/rooms/closed_form/cube.json --out out/cube");
   const auto faces = cube.runs(solve_cube, line);

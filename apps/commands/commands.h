@@ -44,6 +44,12 @@ struct FileCommand {
 
 using Colour = std::array<double, 3>;  ///< red, green, blue
 
+struct ImportCommand {
+  std::string in, out;
+  std::vector<std::string> rooms;  ///< identifiers or names; none: the only one
+  double sky_lx = 5000;            ///< on windows from outside
+};
+
 struct RelightCommand {
   std::string in, out;
   Colour from{}, to{};
@@ -73,6 +79,7 @@ Exit invert_room(const RankCommand& command, const Session& session);
 Exit batch_rooms(const RankCommand& command, const Session& session);
 Exit convert_table(const FileCommand& command, const Session& session);
 Exit list_paints(const FileCommand& command, const Session& session);
+Exit import_model(const ImportCommand& command, const Session& session);
 Exit solve_cube(const FileCommand& command, const Session& session);
 Exit solve_brick(const FileCommand& command, const Session& session);
 Exit relight_picture(const RelightCommand& command, const Session& session);

@@ -65,7 +65,7 @@ void RoomReader::read_faces(const JsonNode& node) {
     }
   }
   const Places places = node.list(4, kMostFaces);
-  walls_known_ = node.is(JsonNode::Kind::list);
+  walls_known_ = !places.empty();
   std::vector<ShellFace> faces;
   for (const JsonNode& place : places) {
     if (auto face = read_face(place)) faces.push_back(std::move(*face));
@@ -79,7 +79,7 @@ void RoomReader::read_faces(const JsonNode& node) {
 std::optional<ShellFace> RoomReader::read_face(const JsonNode& node) {
   const JsonObject entry = node.object({"surface", "outline_m", "holes_m"});
   const std::string name = entry.name("surface");
-  if (name.empty()) walls_known_ = false;
+  if (name.empty() || name == "walls") walls_known_ = false;
   const auto known =
       std::ranges::find(shell_surfaces_, name, [](const auto& s) { return s.first; });
   ShellFace face{.surface = static_cast<int>(known - shell_surfaces_.begin())};

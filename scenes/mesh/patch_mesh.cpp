@@ -23,6 +23,7 @@ struct WholeFace {
   Outline outline;
   PlaneCoordinates plane;
   int surface = 0;
+  int body = -1;  ///< into Room::furniture; -1: of the shell
   std::vector<Region> regions;
   int plane_number = 0;
   std::vector<double> at_edges = {};  ///< CellSize::at_edges
@@ -60,6 +61,7 @@ std::vector<WholeFace> whole_faces(const Room& room, Cells cells) {
     if (s.kind != SurfaceKind::furniture) continue;
     for (const Outline& side : room.furniture.at(index).faces) {
       faces.push_back(whole_face(side, i));
+      faces.back().body = s.index;
       if (cells == Cells::crowded) faces.back().at_edges = {kCrowdedAt};
     }
   }
@@ -128,7 +130,7 @@ void add_contacts(std::vector<WholeFace>& faces) {
       if (!faces[front->front()].plane.same_plane(faces[back->front()].plane, -1)) continue;
       for (const std::size_t i : *front) {
         for (const std::size_t k : *back) {
-          if (faces[i].surface == faces[k].surface) continue;  // both sides of a sheet
+          if (faces[i].body == faces[k].body) continue;  // both sides of a sheet, or of a thin wall
           add_contact(faces[i], faces[k]);
           add_contact(faces[k], faces[i]);
         }

@@ -78,31 +78,32 @@ class Shell {
       walk(faces_[f].outline, f, true);
       for (const Outline& hole : faces_[f].holes) walk(hole, f, false);
     }
+    turned_.resize(faces_.size(), false);
+    for (const auto& [edge, walks] : edges_) {
+      if (walks.size() != 2 || walks[0].face == walks[1].face) continue;
+      const bool same = walks[0].forwards == walks[1].forwards;
+      neighbours_[walks[0].face].emplace_back(walks[1].face, same);
+      neighbours_[walks[1].face].emplace_back(walks[0].face, same);
+    }
   }
 
-  /// Turns faces so that neighbours walk their common edge in opposite directions, and the whole
+  /// Turns faces so that neighbours walk their common edge in opposite directions, and each shell
   /// so that it encloses what is in front. @return how many shells there are
   int orient() {
-    std::vector<char> turned(faces_.size(), 0), known(faces_.size(), 0);
+    std::vector<bool> known(faces_.size(), false);
     int shells = 0;
     for (std::size_t first = 0; first < faces_.size(); ++first) {
-      if (known[first] != 0) continue;
+      if (known[first]) continue;
       ++shells;
-      std::vector<std::size_t> open{first}, shell{first};
-      known[first] = 1;
-      while (!open.empty()) {
-        const std::size_t f = open.back();
-        open.pop_back();
-        for (const auto& [other, same] : neighbours_[f]) {
-          if (known[other] != 0) continue;
-          known[other] = 1;
-          turned[other] = same ? static_cast<char>(1 - turned[f]) : turned[f];
-          open.push_back(other);
+      known[first] = true;
+      std::vector<std::size_t> shell{first};
+      for (std::size_t k = 0; k < shell.size(); ++k) {
+        for (const auto& [other, same] : neighbours_[shell[k]]) {
+          if (known[other]) continue;
+          known[other] = true;
+          if (same != turned_[shell[k]]) turn(other);
           shell.push_back(other);
         }
-      }
-      for (const std::size_t f : shell) {
-        if (turned[f] != 0) turn(f);
       }
       double volume = 0;
       for (const std::size_t f : shell) volume += cone_m3(faces_[f]);
@@ -111,20 +112,24 @@ class Shell {
     return shells;
   }
 
+  /// Edges that are not walked as often one way as the other: thin walls have four faces at one.
   void add_faults_of_edges(std::vector<ShellFault>& faults) const {
     for (const auto& [edge, walks] : edges_) {
-      if (walks.size() == 2) continue;
+      const auto forwards = std::ranges::count_if(
+          walks, [this](const Walk& walk) { return walk.forwards != turned_[walk.face]; });
+      if (2 * forwards == static_cast<std::ptrdiff_t>(walks.size())) continue;
       const std::string where = fmt::format("from {} to {}", words(corners_.at(edge.first)),
                                             words(corners_.at(edge.second)));
-      faults.push_back(walks.size() == 1
-                           ? ShellFault{.face = walks[0].face,
-                                        .problem = "its edge " + where + " meets no other face",
-                                        .remedy = "close the room there; all faces together "
-                                                  "enclose the air"}
-                           : ShellFault{.face = walks[0].face,
-                                        .problem = fmt::format("its edge {} is one of {} faces",
-                                                               where, walks.size()),
-                                        .remedy = "leave only the two that the air lies between"});
+      faults.push_back(
+          walks.size() == 1
+              ? ShellFault{.face = walks[0].face,
+                           .problem = "its edge " + where + " meets no other face",
+                           .remedy = "close the room there; all faces together enclose the air"}
+              : ShellFault{.face = walks[0].face,
+                           .problem = fmt::format("its edge {} is one of {} faces, which close "
+                                                  "nothing together",
+                                                  where, walks.size()),
+                           .remedy = "leave only those that the air lies between"});
     }
   }
 
@@ -137,17 +142,10 @@ class Shell {
   void walk(const Outline& ring, std::size_t face, bool outer) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Vector3d &a = ring[k], &b = ring[(k + 1) % ring.size()];
-      std::vector<std::pair<double, int>> stops = on_edge(a, b);
+      const std::vector<std::pair<double, int>> stops = on_edge(a, b);
       for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
         const int from = stops[i].second, to = stops[i + 1].second;
-        const Walk step{face, (from < to) == outer};
-        std::vector<Walk>& walks = edges_[std::minmax(from, to)];
-        if (walks.size() == 1 && walks[0].face != face) {
-          const bool same = walks[0].forwards == step.forwards;
-          neighbours_[face].emplace_back(walks[0].face, same);
-          neighbours_[walks[0].face].emplace_back(face, same);
-        }
-        walks.push_back(step);
+        edges_[std::minmax(from, to)].push_back({face, (from < to) == outer});
       }
     }
   }
@@ -169,6 +167,7 @@ class Shell {
   }
 
   void turn(std::size_t f) {
+    turned_[f] = !turned_[f];
     std::ranges::reverse(faces_[f].outline);
     for (Outline& hole : faces_[f].holes) std::ranges::reverse(hole);
   }
@@ -184,6 +183,7 @@ class Shell {
   Corners corners_;
   std::map<Edge, std::vector<Walk>> edges_;
   std::map<std::size_t, std::vector<std::pair<std::size_t, bool>>> neighbours_;
+  std::vector<bool> turned_;  ///< since the edges were walked
 };
 
 }  // namespace

@@ -97,6 +97,14 @@ bool overlap(const ConvexPart& a, const ConvexPart& b, bool plates_part,
       axes, [&](const Vector3d& axis) { return meet_along(axis, a, b, plates_part, touch_m); });
 }
 
+/// Both sides of a wall without thickness.
+bool back_to_back(const ShellFace& a, const ShellFace& b) {
+  const PlaneCoordinates plane(a.outline);
+  return plane.normal().dot(PlaneCoordinates(b.outline).normal()) < 0 &&
+         std::ranges::all_of(b.outline,
+                             [&](const Vector3d& p) { return std::abs(plane.height_m(p)) < 2e-6; });
+}
+
 double distance_to_edge_m(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d edge = b - a;
   const double t = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
@@ -185,6 +193,7 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_faces(
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t f = 0; f < shell.size(); ++f) {
     for (std::size_t g = f + 1; g < shell.size(); ++g) {
+      if (back_to_back(shell[f], shell[g])) continue;
       const bool cross = std::ranges::any_of(plates[f], [&](const ConvexPart& a) {
         return std::ranges::any_of(
             plates[g], [&](const ConvexPart& b) { return overlap(a, b, false, kTouching_m); });

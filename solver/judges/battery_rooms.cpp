@@ -91,7 +91,38 @@ Sample two_rooms() {
   return s;
 }
 
-std::vector<Sample> samples() { return {empty_box(), furnished(), l_shaped(), two_rooms()}; }
+/// Slopes over two walls and a level strip between; a round column, a sofa around a corner, a
+/// screen, steps; a panel on the strip and a point light.
+Sample attic() {
+  const scenes::Polygon plan_m = scenes::rectangular_plan(5, 4);
+  scenes::RoomBuilder builder(plan_m,
+                              {scenes::pitched_plane(scenes::edge_line(plan_m, 0), 1, 45),
+                               scenes::pitched_plane(scenes::edge_line(plan_m, 2), 1, 45),
+                               {.height_m = 2.4}},
+                              0);
+  builder.patches(0.6)
+      .panel(3, {2.5, 2}, {0.8, 0.8})
+      .body(scenes::prism_body("column", scenes::regular_polygon({1.2, 2}, 0.15, 12), 0, 2.4))
+      .body(scenes::prism_body(
+          "sofa", {{2.5, 1}, {4.5, 1}, {4.5, 3}, {3.7, 3}, {3.7, 1.8}, {2.5, 1.8}}, 0, 0.45))
+      .body(scenes::sheet_body("screen", {{2, 1, 0}, {2, 2, 0}, {2, 2, 1.6}, {2, 1, 1.6}}))
+      .body(scenes::stairs_body("steps", {.foot_m = {3.4, 3.5, 0},
+                                          .direction_deg = 180,
+                                          .width_m = 0.6,
+                                          .rise_m = 0.15,
+                                          .going_m = 0.3,
+                                          .steps = 3}));
+  Sample s{.name = "attic", .room = builder.room()};
+  s.room.point_lights = {{.name = "bulb",
+                          .at_m = {1.7, 1.2, 1.8},
+                          .spectral_flux = spectra::constant(s.room.grid, kPointFlux)}};
+  s.flux = kPanelExitance * 0.8 * 0.8 + kPointFlux;
+  return s;
+}
+
+std::vector<Sample> samples() {
+  return {empty_box(), furnished(), l_shaped(), two_rooms(), attic()};
+}
 
 /// Every surface another reflectance in every band.
 void paint_at_random(scenes::Room& room, double most, unsigned seed) {

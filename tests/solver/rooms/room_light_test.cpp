@@ -7,6 +7,7 @@
 
 #include "appearance/spectra/photometry.h"
 #include "scenes/files/room_json.h"
+#include "scenes/shapes/bodies.h"
 #include "solver/exchange/exchange.h"
 #include "solver/sources/direct_light.h"
 #include "tests/solver/box_reference.h"
@@ -190,7 +191,7 @@ TEST(DirectLight, SunComesFromItsAzimuthAndAltitude) {
 // half.
 TEST(Visibility, HalfHiddenLampIsHalfSeen) {
   scenes::Room room = sample_room("box");
-  room.furniture.push_back({.name = "screen", .min_m = {2.5, 0.5, 1.0}, .max_m = {4.9, 3.5, 1.2}});
+  room.furniture.push_back(scenes::box_body("screen", {2.5, 0.5, 1.0}, {4.9, 3.5, 1.2}));
   scenes::Surface black = room.surfaces[0];
   black.name = "screen";
   black.kind = scenes::SurfaceKind::furniture;
