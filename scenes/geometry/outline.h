@@ -9,7 +9,7 @@ namespace scenes {
 /// Corners of a plane polygon in space, counter-clockwise seen from the air, in metres.
 using Outline = std::vector<Eigen::Vector3d>;
 
-/// Half the sum of the cross products of its edges: its area times its normal, m^2 [Newell's rule].
+/// Half the sum of the cross products of its edges: its area times its normal, m^2 (Newell's rule).
 [[nodiscard]] Eigen::Vector3d vector_area_m2(const Outline& outline);
 
 /// Coordinates in the plane of an outline, the first along its longest edge.

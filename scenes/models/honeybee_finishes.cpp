@@ -14,7 +14,7 @@ using spectra::JsonObject;
 constexpr spectra::Limits kShare{.least = 0, .most = 1};
 
 /// Transmittance of a pane from Radiance's transmissivity, both at right angles.
-/// tn = (sqrt(a + b Tn^2) - c) / (d Tn) [Ward1998], solved for Tn; c^2 = a.
+/// tn = (sqrt(a + b Tn^2) - c) / (d Tn) [Larson1998], solved for Tn; c^2 = a.
 double transmittance_of(double transmissivity) {
   constexpr double kB = 0.0072522239, kC = 0.9166530661, kD = 0.0036261119;
   return 2 * kC * kD * transmissivity / (kB - kD * kD * transmissivity * transmissivity);

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "scenes/shapes/enclosure.h"
+#include "scenes/shapes/plates.h"
 #include "scenes/shapes/shell.h"
 
 namespace scenes {
@@ -79,16 +80,14 @@ class Shell {
       for (const Outline& hole : faces_[f].holes) walk(hole, f, false);
     }
     turned_.resize(faces_.size(), false);
-    for (const auto& [edge, walks] : edges_) {
-      if (walks.size() != 2 || walks[0].face == walks[1].face) continue;
-      const bool same = walks[0].forwards == walks[1].forwards;
-      neighbours_[walks[0].face].emplace_back(walks[1].face, same);
-      neighbours_[walks[1].face].emplace_back(walks[0].face, same);
-    }
+    neighbours_.resize(faces_.size());
+    loose_neighbours_.resize(faces_.size());
+    for (const auto& [edge, walks] : edges_) connect(walks);
   }
 
   /// Turns faces so that neighbours walk their common edge in opposite directions, and each shell
-  /// so that it encloses what is in front. @return how many shells there are
+  /// so that it encloses what is in front. Where thin walls meet others, four faces at an edge,
+  /// they stay as they were given to each other. @return how many shells there are
   int orient() {
     std::vector<bool> known(faces_.size(), false);
     int shells = 0;
@@ -97,12 +96,20 @@ class Shell {
       ++shells;
       known[first] = true;
       std::vector<std::size_t> shell{first};
-      for (std::size_t k = 0; k < shell.size(); ++k) {
-        for (const auto& [other, same] : neighbours_[shell[k]]) {
+      const auto spread = [&](std::size_t from, const Neighbours& neighbours) {
+        bool grown = false;
+        for (const auto& [other, same] : neighbours[from]) {
           if (known[other]) continue;
           known[other] = true;
-          if (same != turned_[shell[k]]) turn(other);
+          grown = true;
+          if (same != turned_[from]) turn(other);
           shell.push_back(other);
+        }
+        return grown;
+      };
+      for (std::size_t k = 0, loose = 0; loose < shell.size();) {
+        while (k < shell.size()) spread(shell[k++], neighbours_);
+        while (loose < shell.size() && !spread(shell[loose++], loose_neighbours_)) {
         }
       }
       double volume = 0;
@@ -110,6 +117,24 @@ class Shell {
       if (volume < 0) std::ranges::for_each(shell, [this](std::size_t f) { turn(f); });
     }
     return shells;
+  }
+
+  /// Faces that do not look at the air: not once around what is before them.
+  void add_faults_of_fronts(std::vector<ShellFault>& faults) const {
+    std::vector<FlatFace> flat;
+    for (const ShellFace& face : faces_) flat.emplace_back(face.outline, face.holes);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const Outline part = convex_parts(faces_[f].outline, faces_[f].holes).front();
+      Vector3d before = Vector3d::Zero();
+      for (const Vector3d& p : part) before += p / static_cast<double>(part.size());
+      before += 10 * kWeld_m * flat[f].plane().normal();
+      double turns = 0;
+      for (const FlatFace& face : flat) turns += face.turns_around(before);
+      if (std::abs(turns - 1) < 0.01) continue;
+      faults.push_back({.face = f,
+                        .problem = "its front does not look at the air that the others enclose",
+                        .remedy = "give all faces from the same side, or leave it out"});
+    }
   }
 
   /// Edges that are not walked as often one way as the other: thin walls have four faces at one.
@@ -134,6 +159,20 @@ class Shell {
   }
 
  private:
+  /// The faces next to each face, and whether they walk the common edge the same way.
+  using Neighbours = std::vector<std::vector<std::pair<std::size_t, bool>>>;
+
+  void connect(const std::vector<Walk>& walks) {
+    for (std::size_t k = 1; k < walks.size(); ++k) {
+      const Walk &a = walks[k - 1], &b = walks[k];
+      if (a.face == b.face) continue;
+      const bool pair = walks.size() == 2, same = pair && a.forwards == b.forwards;
+      Neighbours& neighbours = pair ? neighbours_ : loose_neighbours_;
+      neighbours[a.face].emplace_back(b.face, same);
+      neighbours[b.face].emplace_back(a.face, same);
+    }
+  }
+
   void weld(Outline& ring) {
     for (Vector3d& p : ring) p = corners_.at(corners_.number(p));
   }
@@ -182,8 +221,8 @@ class Shell {
   std::vector<ShellFace>& faces_;
   Corners corners_;
   std::map<Edge, std::vector<Walk>> edges_;
-  std::map<std::size_t, std::vector<std::pair<std::size_t, bool>>> neighbours_;
-  std::vector<bool> turned_;  ///< since the edges were walked
+  Neighbours neighbours_, loose_neighbours_;  ///< at edges of two faces, and of more
+  std::vector<bool> turned_;                  ///< since the edges were walked
 };
 
 }  // namespace
@@ -201,6 +240,7 @@ std::vector<ShellFault> close_shell(std::vector<ShellFace>& faces) {
                       .problem = fmt::format("the faces make {} shells", shells),
                       .remedy = "give the one that the air is in, and the rest as furniture"});
   }
+  if (faults.empty()) shell.add_faults_of_fronts(faults);
   for (const auto& [face, other] : crossing_faces(faces)) {
     faults.push_back({.face = other,
                       .problem = fmt::format("it crosses face {} or lies on it", face + 1),
