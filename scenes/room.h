@@ -54,8 +54,10 @@ struct ConvexPart {
 /// A piece of furniture.
 struct Body {
   std::string name;
-  std::vector<Outline> faces;     ///< all of its surface, plane and simple
-  std::vector<ConvexPart> parts;  ///< that fill it
+  std::vector<Outline> faces;          ///< all of its surface, plane and simple
+  std::vector<ConvexPart> parts;       ///< that fill it, or plates on its faces
+  std::vector<int> part_of_face = {};  ///< Surface::part of each face; empty: all 0
+  bool two_sided = false;              ///< faces come in pairs that look away from each other
 };
 
 struct PointLight {
@@ -88,6 +90,7 @@ struct Surface {
   std::string name;
   SurfaceKind kind = SurfaceKind::floor;
   int index = 0;               ///< into openings, panels or furniture
+  int part = 0;                ///< of furniture that has several surfaces
   Spectrum reflectance;        ///< 0 <= rho < 1
   Spectrum exitance;           ///< S, W m^-2 nm^-1; zero unless it is a lamp
   bool reconstructed = false;  ///< its reflectance was computed from a colour, not measured

@@ -73,11 +73,16 @@ Exit invert_room(const RankCommand& command, const Session& session) {
   const InverseRun inverse = seeing(run, [&] { return aimed(run, painted, wish); });
   run.clock.stop("inverse");
   const std::vector<spectra::LitRoom> rooms = painted.rooms();
-  const paints::Ranking ranking = seeing(run, [&] {
-    return paints::rank(atlas, wish, rooms,
-                        {.distance = options.distance,
-                         .viewing = run.room.viewing,
-                         .judgement = run.room.judgement});
+  const int top = options.top > 0 ? options.top : task.top;
+  const paints::RankingOptions how{.distance = options.distance,
+                                   .viewing = run.room.viewing,
+                                   .judgement = run.room.judgement,
+                                   .top = static_cast<std::size_t>(top)};
+  const paints::Ranking ranking =
+      seeing(run, [&] { return paints::rank(atlas, wish, rooms, how); });
+  const RankingErrors errors = seeing(run, [&] {
+    return ranking_errors(ranking, wish, painted.rooms_of_longer_patches(), how,
+                          options.room.light);
   });
   run.clock.stop("rank");
   const ModelChoices choices = model_choices(run.room.viewing, wish_under);
@@ -92,13 +97,12 @@ Exit invert_room(const RankCommand& command, const Session& session) {
   run.record["model_spread"] = describe(spread.told);
   run.record["inverse"] = describe(inverse, wish);
   run.record["response"] = painted.record();
-  const int top = options.top > 0 ? options.top : task.top;
   std::vector<OutputFile> files{
       {.path = out / "reflectance.csv",
        .text = reflectances_csv({{"inverse", inverse.answer.reflectance}})},
       {.path = out / "inverse.csv", .text = bands_csv(inverse.answer)},
       {.path = out / "appearance.csv", .text = appearance_csv(inverse, rooms, wish)},
-      {.path = out / "ranking.csv", .text = ranking_csv(ranking, atlas, wish, top, {})}};
+      {.path = out / "ranking.csv", .text = ranking_csv(ranking, atlas, wish, top, {}, errors)}};
   for (OutputFile& file : model_spread_files(out, run.room.name, spread.told)) {
     files.push_back(std::move(file));
   }

@@ -10,6 +10,7 @@
 #include "apps/pictures/model_spread_picture.h"
 #include "apps/reports/colour_reports.h"
 #include "apps/reports/model_spread_report.h"
+#include "apps/studies/look_errors.h"
 #include "apps/studies/model_spread.h"
 #include "apps/studies/paint_wish.h"
 #include "apps/studies/painted_room.h"
@@ -57,22 +58,38 @@ std::vector<Winner> winners_of(const paints::Ranking& ranking) {
   return winners;
 }
 
+std::string error_text(const RankingErrors& errors, std::size_t i) {
+  return errors.of_paint.empty() ? "-" : fmt::format("{:.3f}", errors.of_paint[i].distance);
+}
+
+/// Who may in truth be the best.
+std::string ties_text(const RankingErrors& errors, std::size_t count) {
+  const auto listed = static_cast<std::ptrdiff_t>(std::min(count, errors.ties_with.size()));
+  const auto ties = std::count(errors.ties_with.begin(), errors.ties_with.begin() + listed, 1);
+  if (errors.of_paint.empty()) return "longer patches cut this room no other way: no mesh error\n";
+  if (ties == 0) return "error: what the mesh leaves of the distance; the best paint is settled\n";
+  return fmt::format(
+      "error: what the mesh leaves of the distance; {} of the paints listed may be "
+      "as near as the first (ties_with 1)\n",
+      ties);
+}
+
 /// The last `count` shifts are those of the best paints.
 std::string best_table(const paints::Ranking& ranking, const std::vector<Shift>& shifts,
-                       std::size_t count) {
-  std::vector<std::vector<std::string>> rows{{"rank", "paint", "label", "distance", "J", "a_C",
-                                              "b_C", "chroma swatch -> room",
+                       const RankingErrors& errors, std::size_t count) {
+  std::vector<std::vector<std::string>> rows{{"rank", "paint", "label", "distance", "error", "J",
+                                              "a_C", "b_C", "chroma swatch -> room",
                                               "hue swatch -> room"}};
   for (std::size_t i = 0; i < std::min(count, kTableRows); ++i) {
     const paints::RankedPaint& ranked = ranking.paints[i];
     const appearance::Correlates& seen = ranked.seen.front().correlates;
     const Shift& shift = shifts[shifts.size() - count + i];
     rows.push_back({fmt::format("{}", i + 1), shift.paint, ranked.paint->label,
-                    fmt::format("{:.2f}", ranked.distance), fmt::format("{:.1f}", seen.lightness),
-                    fmt::format("{:.1f}", seen.a_c), fmt::format("{:.1f}", seen.b_c),
-                    chroma_arrow(shift), hue_arrow(shift)});
+                    fmt::format("{:.2f}", ranked.distance), error_text(errors, i),
+                    fmt::format("{:.1f}", seen.lightness), fmt::format("{:.1f}", seen.a_c),
+                    fmt::format("{:.1f}", seen.b_c), chroma_arrow(shift), hue_arrow(shift)});
   }
-  return table("><<>>>>>>", rows);
+  return table("><<>>>>>>>", rows) + ties_text(errors, count);
 }
 
 Json best_list(const paints::Ranking& ranking, const std::vector<Shift>& shifts,
@@ -105,6 +122,13 @@ Json describe_ranking(const paints::Ranking& ranking, const paints::Atlas& atlas
           {"rejected_by_windows", ranking.rejected},
           {"undefined", ranking.undefined},
           {"best", best}};
+}
+
+/// Of the viewing condition with the best paint.
+Json describe(const RankingErrors& errors) {
+  if (errors.of_paint.empty()) return {};
+  const LookError& e = errors.of_paint.front();
+  return {{"Y_b", e.background_y}, {"L_A_cd_m2", e.adapting_luminance_cd_m2}, {"white", e.white}};
 }
 
 /// Of the listed paints, those whose look differs least between the lightings.
@@ -169,15 +193,13 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
   const paints::Target wish = wished(run, target, swatch);
   const int top = options.top > 0 ? options.top : run.room.paint.front().top;
   const auto kept = static_cast<std::size_t>(std::max(top, options.resolve_top));
-  paints::Ranking ranking = seeing(run, [&] {
-    return paints::rank(atlas, wish, rooms,
-                        {.windows = options.windows,
-                         .distance = options.distance,
-                         .viewing = run.room.viewing,
-                         .judgement = run.room.judgement,
-                         .top = options.robust ? atlas.paints.size() : kept,
-                         .swatch = swatch});
-  });
+  const paints::RankingOptions how{.windows = options.windows,
+                                   .distance = options.distance,
+                                   .viewing = run.room.viewing,
+                                   .judgement = run.room.judgement,
+                                   .top = options.robust ? atlas.paints.size() : kept,
+                                   .swatch = swatch};
+  paints::Ranking ranking = seeing(run, [&] { return paints::rank(atlas, wish, rooms, how); });
   run.clock.stop("rank");
   const ModelChoices choices = model_choices(run.room.viewing, [&](const auto& viewing) {
     return wished(run, target, swatch_of(run, target, viewing, here));
@@ -188,6 +210,11 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
       [&](const paints::Paint& p) { return paint_name(atlas, p); });
   if (options.robust) order_robustly(ranking, spread.ranked, kept);
   run.clock.stop("model spread");
+  const RankingErrors errors = seeing(run, [&] {
+    return ranking_errors(ranking, wish, painted.rooms_of_longer_patches(), how,
+                          options.room.light);
+  });
+  run.clock.stop("mesh error");
   const Resolved resolved =
       resolve(run, painted, winners_of(ranking), {{.atlas = &atlas, .target = wish}}, options);
   run.clock.stop("resolve");
@@ -198,6 +225,7 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
   if (!ranking.paints.empty()) {
     const appearance::RoomView& view = ranking.paints.front().seen.front().view;
     run.record["viewing"] = describe(view, run.room, viewed_point(run));
+    run.record["viewing"]["mesh_error"] = describe(errors);
   }
   run.record["ranking"]["resolved"] = resolved.record("paints");
   run.record["response"] = painted.record();
@@ -205,9 +233,10 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
   if (rooms.size() > 1) run.record["ranking"]["most_constant"] = constant;
   run.clock.stop("report");
 
-  std::vector<OutputFile> files{{.path = out / "ranking.csv",
-                                 .text = ranking_csv(ranking, atlas, wish, top, resolved.distance)},
-                                {.path = out / "shift.csv", .text = shift_csv(shifts)}};
+  std::vector<OutputFile> files{
+      {.path = out / "ranking.csv",
+       .text = ranking_csv(ranking, atlas, wish, top, resolved.distance, errors)},
+      {.path = out / "shift.csv", .text = shift_csv(shifts)}};
   if (rooms.size() > 1) {
     files.push_back(
         {.path = out / "scenarios.csv", .text = scenarios_csv(ranking, atlas, rooms, top)});
@@ -219,7 +248,7 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
   for (OutputFile& file : painted.files()) files.push_back(std::move(file));
   RunResult result = finish(run, painted.converged(), std::move(files), out);
   const auto count = std::min(static_cast<std::size_t>(top), ranking.paints.size());
-  result.text = best_table(ranking, shifts, count);
+  result.text = best_table(ranking, shifts, errors, count);
   if (rooms.size() > 1) result.text += constancy_text(constant);
   result.text += model_spread_text(spread.told, "the best paint");
   result.data = {{"status", result.record["status"]},

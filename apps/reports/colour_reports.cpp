@@ -142,10 +142,12 @@ std::string paint_name(const paints::Atlas& atlas, const paints::Paint& paint) {
 }
 
 std::string ranking_csv(const paints::Ranking& ranking, const paints::Atlas& atlas,
-                        const paints::Target& target, int top, const std::vector<double>& solved) {
+                        const paints::Target& target, int top, const std::vector<double>& solved,
+                        const RankingErrors& errors) {
   CsvText csv(
       "rank,paint,distance,J,a_C,b_C,C,h_deg,H,dJ,da_C,db_C,x,y,label,hue_composition,status,"
-      "spectrum,distance_solved,inconstancy");
+      "spectrum,distance_solved,inconstancy,distance_mesh_error,J_mesh_error,a_C_mesh_error,"
+      "b_C_mesh_error,ties_with");
   const auto count = std::min(static_cast<std::size_t>(top), ranking.paints.size());
   for (std::size_t i = 0; i < count; ++i) {
     const paints::RankedPaint& ranked = ranking.paints[i];
@@ -159,7 +161,17 @@ std::string ranking_csv(const paints::Ranking& ranking, const paints::Atlas& atl
     csv.cell(ranked.paint->label).cell(appearance::hue_composition(k.hue_quadrature));
     csv.cell(appearance::to_string(k.status)).cell(spectrum_kind(atlas.reconstructed));
     csv.cell(i < solved.size() ? std::optional(solved[i]) : std::nullopt);
-    csv.cell(ranked.inconstancy).end_row();
+    csv.cell(ranked.inconstancy);
+    const bool told = i < errors.of_paint.size();
+    const auto error = [&](double LookError::*value) {
+      csv.cell(told ? std::optional(errors.of_paint[i].*value) : std::nullopt);
+    };
+    error(&LookError::distance);
+    error(&LookError::lightness);
+    error(&LookError::a_c);
+    error(&LookError::b_c);
+    csv.cell(told && errors.ties_with[i] > 0 ? fmt::format("{}", errors.ties_with[i]) : "");
+    csv.end_row();
   }
   return csv.take();
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "apps/run/room_options.h"
+#include "apps/studies/look_errors.h"
 #include "apps/studies/seen.h"
 #include "paints/ranking.h"
 
@@ -24,7 +25,8 @@ namespace apps {
 /// @param solved  distances of the best by full solves
 [[nodiscard]] std::string ranking_csv(const paints::Ranking& ranking, const paints::Atlas& atlas,
                                       const paints::Target& target, int top,
-                                      const std::vector<double>& solved);
+                                      const std::vector<double>& solved,
+                                      const RankingErrors& errors);
 
 /// scenarios.csv: the same paints in every lighting.
 [[nodiscard]] std::string scenarios_csv(const paints::Ranking& ranking, const paints::Atlas& atlas,

@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr const char* kFormat = "roomhue_response";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 template <typename Values>
 Json list_of(const Values& values) {
@@ -132,6 +132,69 @@ Json light_of(const scenes::Room& room) {
   return light;
 }
 
+Json json_of(const solver::ReducedViews& views) {
+  const solver::ReducedRoom& room = views.room;
+  Json json{{"grid", {views.grid.first_nm, views.grid.step_nm, views.grid.count}},
+            {"viewed", views.viewed},
+            {"white_of_surfaces", views.white_of_surfaces},
+            {"groups", room.groups},
+            {"highest_reflectance", room.highest_reflectance},
+            {"solves", room.solves},
+            {"held_out_solves", room.held_out},
+            {"largest_error", room.largest_error},
+            {"converged", room.converged}};
+  for (const Eigen::VectorXd& share : views.share) json["share"].push_back(list_of(share));
+  json["angle_deg"] = views.angle_deg;
+  for (const auto& of_point : views.lamps) {
+    Json& lamps = json["lamps"].emplace_back(Json::array());
+    for (const solver::LampLight& l : of_point) lamps.push_back(json_of(l));
+  }
+  for (const auto& t : room.transfers) {
+    json["transfers"].push_back({{"k", json_of(t.k)}, {"phi", json_of(t.phi)}, {"group", t.group}});
+  }
+  for (const auto& b : room.bands) {
+    json["bands"].push_back(
+        {{"transfer", b.transfer}, {"gamma", json_of(b.gamma)}, {"constant", json_of(b.constant)}});
+  }
+  return json;
+}
+
+/// @throws std::exception  if something is missing or of another kind
+solver::ReducedViews views_of(const Json& json) {
+  solver::ReducedViews views{.grid = {.first_nm = json.at("grid").at(0),
+                                      .step_nm = json.at("grid").at(1),
+                                      .count = json.at("grid").at(2)},
+                             .viewed = json.at("viewed"),
+                             .white_of_surfaces = json.at("white_of_surfaces")};
+  views.room.groups = json.at("groups");
+  views.room.highest_reflectance = json.at("highest_reflectance");
+  views.room.solves = json.at("solves");
+  views.room.held_out = json.at("held_out_solves");
+  views.room.largest_error = json.at("largest_error");
+  views.room.converged = json.at("converged");
+  for (const Json& share : json.value("share", Json::array())) {
+    const auto values = share.get<std::vector<double>>();
+    views.share.emplace_back(
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Index>(values.size())));
+  }
+  views.angle_deg = json.at("angle_deg").get<std::vector<double>>();
+  for (const Json& of_point : json.at("lamps")) {
+    auto& lamps = views.lamps.emplace_back();
+    for (const Json& l : of_point) lamps.push_back(lamps_of(l, views.grid));
+  }
+  for (const Json& t : json.at("transfers")) {
+    views.room.transfers.push_back({.k = matrix_of(t.at("k")),
+                                    .phi = matrix_of(t.at("phi")),
+                                    .group = t.at("group").get<std::vector<int>>()});
+  }
+  for (const Json& b : json.at("bands")) {
+    views.room.bands.push_back({.transfer = b.at("transfer"),
+                                .gamma = matrix_of(b.at("gamma")),
+                                .constant = matrix_of(b.at("constant"))});
+  }
+  return views;
+}
+
 }  // namespace
 
 std::string response_key(const scenes::Room& room, const RoomOptions& options) {
@@ -157,32 +220,9 @@ std::string response_key(const scenes::Room& room, const RoomOptions& options) {
 }
 
 OutputFile response_file(const std::filesystem::path& path, const std::string& key,
-                         const solver::ReducedViews& views) {
-  const solver::ReducedRoom& room = views.room;
-  Json json{{kFormat, kVersion},
-            {"key", key},
-            {"grid", {views.grid.first_nm, views.grid.step_nm, views.grid.count}},
-            {"viewed", views.viewed},
-            {"white_of_surfaces", views.white_of_surfaces},
-            {"groups", room.groups},
-            {"highest_reflectance", room.highest_reflectance},
-            {"solves", room.solves},
-            {"held_out_solves", room.held_out},
-            {"largest_error", room.largest_error},
-            {"converged", room.converged}};
-  for (const Eigen::VectorXd& share : views.share) json["share"].push_back(list_of(share));
-  json["angle_deg"] = views.angle_deg;
-  for (const auto& of_point : views.lamps) {
-    Json& lamps = json["lamps"].emplace_back(Json::array());
-    for (const solver::LampLight& l : of_point) lamps.push_back(json_of(l));
-  }
-  for (const auto& t : room.transfers) {
-    json["transfers"].push_back({{"k", json_of(t.k)}, {"phi", json_of(t.phi)}, {"group", t.group}});
-  }
-  for (const auto& b : room.bands) {
-    json["bands"].push_back(
-        {{"transfer", b.transfer}, {"gamma", json_of(b.gamma)}, {"constant", json_of(b.constant)}});
-  }
+                         const ResponseOnMeshes& meshes) {
+  Json json{{kFormat, kVersion}, {"key", key}};
+  for (const solver::ReducedViews& views : meshes) json["meshes"].push_back(json_of(views));
   return {.path = path, .text = json.dump() + "\n"};
 }
 
@@ -195,45 +235,19 @@ void require_free_for_response(const std::filesystem::path& path) {
                            ": exists and is no room response; name another file with --response");
 }
 
-std::optional<solver::ReducedViews> load_response(const std::filesystem::path& path,
-                                                  const std::string& key) {
+std::optional<ResponseOnMeshes> load_response(const std::filesystem::path& path,
+                                              const std::string& key) {
   std::ifstream file(path);
   const Json json = Json::parse(file, nullptr, /*allow_exceptions=*/false);
   if (!json.is_object()) return std::nullopt;
   try {
     if (json.at(kFormat) != kVersion || json.at("key") != key) return std::nullopt;
-    solver::ReducedViews views{.grid = {.first_nm = json.at("grid").at(0),
-                                        .step_nm = json.at("grid").at(1),
-                                        .count = json.at("grid").at(2)},
-                               .viewed = json.at("viewed"),
-                               .white_of_surfaces = json.at("white_of_surfaces")};
-    views.room.groups = json.at("groups");
-    views.room.highest_reflectance = json.at("highest_reflectance");
-    views.room.solves = json.at("solves");
-    views.room.held_out = json.at("held_out_solves");
-    views.room.largest_error = json.at("largest_error");
-    views.room.converged = json.at("converged");
-    for (const Json& share : json.value("share", Json::array())) {
-      const auto values = share.get<std::vector<double>>();
-      views.share.emplace_back(
-          Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Index>(values.size())));
+    ResponseOnMeshes meshes;
+    for (const Json& views : json.at("meshes")) {
+      meshes.push_back(views_of(views));
+      if (!is_sound(meshes.back()) || !has_lamps(meshes.back())) return std::nullopt;
     }
-    views.angle_deg = json.at("angle_deg").get<std::vector<double>>();
-    for (const Json& of_point : json.at("lamps")) {
-      auto& lamps = views.lamps.emplace_back();
-      for (const Json& l : of_point) lamps.push_back(lamps_of(l, views.grid));
-    }
-    for (const Json& t : json.at("transfers")) {
-      views.room.transfers.push_back({.k = matrix_of(t.at("k")),
-                                      .phi = matrix_of(t.at("phi")),
-                                      .group = t.at("group").get<std::vector<int>>()});
-    }
-    for (const Json& b : json.at("bands")) {
-      views.room.bands.push_back({.transfer = b.at("transfer"),
-                                  .gamma = matrix_of(b.at("gamma")),
-                                  .constant = matrix_of(b.at("constant"))});
-    }
-    return is_sound(views) && has_lamps(views) ? std::optional(std::move(views)) : std::nullopt;
+    return meshes.empty() ? std::nullopt : std::optional(std::move(meshes));
   } catch (const std::exception&) {
     return std::nullopt;  // whoever damaged it, solving anew mends it
   }

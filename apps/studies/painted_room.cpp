@@ -46,16 +46,38 @@ PaintedRoom::PaintedRoom(RoomRun& run, const RankOptions& options, const std::fi
   if (file_.has_parent_path()) require_writable(file_.parent_path());
   require_free_for_response(file_);
   if (auto known = load_response(file_, key_);
-      known && known->room.highest_reflectance >= highest_reflectance) {
-    views_ = std::move(*known);
+      known && known->front().room.highest_reflectance >= highest_reflectance) {
+    meshes_ = std::move(*known);
     loaded_ = true;
     run_.clock.stop("response");
     return;
   }
   need_transport();
-  views_ =
-      solver::reduce_views(run_.room, run_.transport, {.highest_reflectance = highest_reflectance});
+  reduce(highest_reflectance);
+}
+
+void PaintedRoom::reduce(double highest_reflectance) {
+  const solver::ReductionOptions reduction{.highest_reflectance = highest_reflectance};
+  meshes_.push_back(solver::reduce_views(run_.room, run_.transport, reduction));
   run_.clock.stop("response");
+  solver::TransportOptions longer = transport_options(run_, options_.room, out_);
+  const double patch_m = longer.patch_m > 0 ? longer.patch_m : run_.room.patch_m;
+  const int patches = run_.transport.mesh.size();
+  for (const double factor : {2.0, 4.0}) {
+    longer.patch_m = factor * patch_m;
+    const solver::RoomTransport transport = solver::prepare_transport(run_.room, longer);
+    if (transport.mesh.size() == patches && factor == 2) break;  // nothing can be told
+    meshes_.push_back(solver::reduce_views(run_.room, transport, reduction));
+  }
+  run_.clock.stop("response on longer patches");
+}
+
+std::vector<std::vector<spectra::LitRoom>> PaintedRoom::rooms_of_longer_patches() const {
+  std::vector<std::vector<spectra::LitRoom>> rooms;
+  for (std::size_t k = 1; k < meshes_.size(); ++k) {
+    rooms.push_back(lit_rooms(run_.room, meshes_[k]));
+  }
+  return rooms;
 }
 
 void PaintedRoom::need_transport() {
@@ -68,13 +90,13 @@ std::vector<spectra::LitRoom> PaintedRoom::lightings() const { return lightings_
 
 std::vector<spectra::LitRoom> PaintedRoom::rooms(
     int varying, int viewed, const std::vector<spectra::Spectrum>& paints) const {
-  return lit_rooms(run_.room, views_, varying, viewed, paints);
+  return lit_rooms(run_.room, views(), varying, viewed, paints);
 }
 
 std::vector<spectra::RoomResponseSlope> PaintedRoom::slopes(
     int varying, int viewed, const std::vector<spectra::Spectrum>& paints) const {
   const auto response =
-      std::make_shared<const solver::RoomResponse>(views_, varying, viewed, paints);
+      std::make_shared<const solver::RoomResponse>(views(), varying, viewed, paints);
   std::vector<spectra::RoomResponseSlope> slopes;
   for (std::size_t l = 0; l < response->lightings(); ++l) {
     slopes.emplace_back(
@@ -108,7 +130,7 @@ solver::RoomSolution PaintedRoom::solve(const std::vector<spectra::Spectrum>& pa
 spectra::ViewedLight PaintedRoom::as_painted(int group) {
   const std::vector<spectra::Spectrum> now = present_paints(run_.room);
   const bool known = std::ranges::all_of(now, [&](const spectra::Spectrum& paint) {
-    return (paint.values <= views_.room.highest_reflectance).all();
+    return (paint.values <= views().room.highest_reflectance).all();
   });
   if (!now.empty() && known) {
     return rooms(group, group, now).front().view(now[static_cast<std::size_t>(group)]);
@@ -117,10 +139,10 @@ spectra::ViewedLight PaintedRoom::as_painted(int group) {
   return solver::viewed_light(run_.room, run_.transport, solution, static_cast<std::size_t>(group));
 }
 
-bool PaintedRoom::converged() const { return not_converged_ == 0 && views_.room.converged; }
+bool PaintedRoom::converged() const { return not_converged_ == 0 && views().room.converged; }
 
 Json PaintedRoom::record() const {
-  const solver::ReducedRoom& room = views_.room;
+  const solver::ReducedRoom& room = views().room;
   std::size_t vectors = 0;
   for (const auto& t : room.transfers) vectors = std::max(vectors, t.group.size());
   return {{"file", file_.string()},
@@ -138,7 +160,7 @@ Json PaintedRoom::record() const {
 
 std::vector<OutputFile> PaintedRoom::files() const {
   if (loaded_) return {};
-  return {response_file(file_, key_, views_)};
+  return {response_file(file_, key_, meshes_)};
 }
 
 std::vector<spectra::LitRoom> lit_rooms(const scenes::Room& room, const solver::ReducedViews& views,

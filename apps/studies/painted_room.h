@@ -25,6 +25,9 @@ class PaintedRoom {
   [[nodiscard]] std::vector<spectra::LitRoom> rooms(
       int varying = 0, int viewed = 0, const std::vector<spectra::Spectrum>& paints = {}) const;
 
+  /// The same on patches twice and four times as long; none where these cut the room no other way.
+  [[nodiscard]] std::vector<std::vector<spectra::LitRoom>> rooms_of_longer_patches() const;
+
   /// With derivatives, one per lighting.
   [[nodiscard]] std::vector<spectra::RoomResponseSlope> slopes(
       int varying = 0, int viewed = 0, const std::vector<spectra::Spectrum>& paints = {}) const;
@@ -49,13 +52,16 @@ class PaintedRoom {
   [[nodiscard]] std::vector<OutputFile> files() const;
 
  private:
+  [[nodiscard]] const solver::ReducedViews& views() const { return meshes_.front(); }
+
   void need_transport();
+  void reduce(double highest_reflectance);
 
   RoomRun& run_;
   const RankOptions& options_;
   std::filesystem::path out_, file_;
   std::string key_;
-  solver::ReducedViews views_;
+  ResponseOnMeshes meshes_;
   bool loaded_ = false, prepared_ = false;
   int solves_ = 0, not_converged_ = 0;
 };

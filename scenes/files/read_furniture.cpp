@@ -17,7 +17,7 @@ using spectra::Limits;
 
 namespace {
 
-const std::vector<std::string> kShapes{"box_m", "prism", "cylinder", "stairs", "sheet"};
+const std::vector<std::string> kShapes{"box_m", "prism", "cylinder", "stairs", "sheet", "mesh"};
 constexpr Limits kTurn_deg{.least = -360, .most = 360};
 constexpr double kFlat_m = 1e-6;  ///< how far corners of a sheet may lie off its plane
 constexpr std::size_t kMostCorners = 1000;
@@ -181,6 +181,7 @@ std::optional<Body> RoomReader::read_body(const JsonObject& entry, const std::st
   if (given[0] == "cylinder") return read_cylinder(shape, name);
   if (given[0] == "stairs") return read_stairs(shape, name);
   if (given[0] == "sheet") return read_sheet(shape, name);
+  if (given[0] == "mesh") return read_mesh(shape, name);
   return read_box(entry, name);
 }
 

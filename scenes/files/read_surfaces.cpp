@@ -17,7 +17,16 @@ void RoomReader::read_surfaces() {
     add_surface(room_.panels[i].name, SurfaceKind::panel, i);
   }
   for (std::size_t i = 0; i < room_.furniture.size(); ++i) {
-    add_surface(room_.furniture[i].name, SurfaceKind::furniture, i);
+    const std::string& name = room_.furniture[i].name;
+    const auto materials = materials_.find(name);
+    if (materials == materials_.end()) {
+      add_surface(name, SurfaceKind::furniture, i);
+      continue;
+    }
+    for (std::size_t part = 0; part < materials->second.size(); ++part) {
+      add_surface(name + "." + materials->second[part], SurfaceKind::furniture, i);
+      room_.surfaces.back().part = static_cast<int>(part);
+    }
   }
 
   const auto node = top_.need("surfaces");
@@ -26,6 +35,7 @@ void RoomReader::read_surfaces() {
   for (const Surface& s : room_.surfaces) {
     if (s.kind != SurfaceKind::panel && !s.name.empty()) known.push_back(s.name);
   }
+  for (const auto& [mesh, materials] : materials_) known.push_back(mesh);
   const JsonObject given = walls_known_ ? node->object(known) : node->any_object();
   std::optional<Reflectance> walls;
   if (const auto all = given.find("walls")) walls = curves_.reflectance(*all);
@@ -51,6 +61,9 @@ void RoomReader::set_reflectance(Surface& surface, const JsonObject& given,
     chosen = curves_.reflectance(*own);
   } else if (surface.kind == SurfaceKind::wall) {
     chosen = walls;
+  } else if (surface.kind == SurfaceKind::furniture) {
+    const auto all = given.find(room_.furniture[index].name);
+    if (all) chosen = curves_.reflectance(*all);
   }
   if (surface.kind == SurfaceKind::opening && opening_exitance_[index]) {
     surface.exitance = *opening_exitance_[index];

@@ -103,6 +103,10 @@ class RoomReader {
   [[nodiscard]] std::optional<Eigen::Isometry3d> read_rotation(const spectra::JsonNode& node,
                                                                const Body& body);
   void check_body(std::size_t body) const;
+
+  // read_mesh.cpp
+  [[nodiscard]] std::optional<Body> read_mesh(const spectra::JsonNode& node,
+                                              const std::string& name);
   void check_covered() const;
 
   // read_lights.cpp
@@ -169,6 +173,7 @@ class RoomReader {
   Places opening_places_, body_places_;
   std::vector<double> opening_area_m2_;
   std::vector<char> body_read_;  ///< whether each of Room::furniture could be read
+  std::map<std::string, std::vector<std::string>> materials_;       ///< of meshes that have several
   std::vector<std::optional<spectra::Spectrum>> opening_exitance_;  ///< of those that are lit
   std::map<std::string, std::shared_ptr<const Luminaire>> luminaire_files_;
   std::vector<Lamp> lamps_;  ///< as room_.panels

@@ -18,12 +18,14 @@ constexpr double kAtEdges = 0.5;    ///< CellSize::at_edges of the room's own fa
 constexpr double kCrowdedAt = 0.3;  ///< the same of all faces, and width of rings, where crowded
 constexpr double kGapsInside = 3;   ///< a slot is cut as many gaps from its mouth
 
+constexpr int kShell = -1, kNotThin = -2;  ///< WholeFace::thin; else a sheet, of Room::furniture
+
 /// A plane face of the room or of a piece of furniture, before it is cut into patches.
 struct WholeFace {
   Outline outline;
   PlaneCoordinates plane;
   int surface = 0;
-  int body = -1;  ///< into Room::furniture; -1: of the shell
+  int thin = kNotThin;  ///< faces with one number may lie back to back
   std::vector<Region> regions;
   int plane_number = 0;
   std::vector<double> at_edges = {};  ///< CellSize::at_edges
@@ -47,6 +49,7 @@ std::vector<WholeFace> whole_faces(const Room& room, Cells cells) {
   for (const ShellFace& face : room.shell) {
     faces.push_back(whole_face(face.outline, face.surface));
     faces.back().at_edges = {cells == Cells::crowded ? kCrowdedAt : kAtEdges};
+    faces.back().thin = kShell;  // walls may have no thickness
     for (const Outline& hole : face.holes) add_region(faces.back(), hole, kCutAway);
   }
   for (int i = 0; i < static_cast<int>(room.surfaces.size()); ++i) {
@@ -59,9 +62,11 @@ std::vector<WholeFace> whole_faces(const Room& room, Cells cells) {
     if (s.kind == SurfaceKind::opening) add_part(room.openings.at(index));
     if (s.kind == SurfaceKind::panel) add_part(room.panels.at(index));
     if (s.kind != SurfaceKind::furniture) continue;
-    for (const Outline& side : room.furniture.at(index).faces) {
-      faces.push_back(whole_face(side, i));
-      faces.back().body = s.index;
+    const Body& body = room.furniture.at(index);
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+      if (!body.part_of_face.empty() && body.part_of_face[f] != s.part) continue;
+      faces.push_back(whole_face(body.faces[f], i));
+      if (body.two_sided) faces.back().thin = s.index;
       if (cells == Cells::crowded) faces.back().at_edges = {kCrowdedAt};
     }
   }
@@ -130,7 +135,8 @@ void add_contacts(std::vector<WholeFace>& faces) {
       if (!faces[front->front()].plane.same_plane(faces[back->front()].plane, -1)) continue;
       for (const std::size_t i : *front) {
         for (const std::size_t k : *back) {
-          if (faces[i].body == faces[k].body) continue;  // both sides of a sheet, or of a thin wall
+          const bool back_to_back = faces[i].thin != kNotThin && faces[i].thin == faces[k].thin;
+          if (back_to_back) continue;
           add_contact(faces[i], faces[k]);
           add_contact(faces[k], faces[i]);
         }

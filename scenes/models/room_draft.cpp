@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "scenes/geometry/corner_weld.h"
 #include "scenes/shapes/plates.h"
 
 namespace scenes {
@@ -40,34 +41,6 @@ std::vector<const ModelRoom*> choose(const BuildingModel& model,
   return chosen;
 }
 
-/// Corners nearer than a tolerance become the first of them.
-class Snap {
- public:
-  explicit Snap(double tolerance_m) : tolerance_m_(tolerance_m) {}
-
-  Outline operator()(const Outline& ring) {
-    Outline snapped;
-    for (const Vector3d& p : ring) {
-      const Vector3d& corner = first_near(p);
-      if (snapped.empty() || snapped.back() != corner) snapped.push_back(corner);
-    }
-    while (snapped.size() > 1 && snapped.front() == snapped.back()) snapped.pop_back();
-    return snapped;
-  }
-
- private:
-  const Vector3d& first_near(const Vector3d& p) {
-    for (const Vector3d& known : corners_) {
-      if ((known - p).norm() <= tolerance_m_) return known;
-    }
-    corners_.push_back(p);
-    return corners_.back();
-  }
-
-  double tolerance_m_;
-  std::vector<Vector3d> corners_;
-};
-
 Polygon common(Polygon convex, const Polygon& other_convex) {
   for (std::size_t i = 0; i < other_convex.size() && !convex.empty(); ++i) {
     convex = clip(convex, edge_line(other_convex, i));
@@ -78,7 +51,7 @@ Polygon common(Polygon convex, const Polygon& other_convex) {
 class Drafting {
  public:
   Drafting(const BuildingModel& model, std::vector<const ModelRoom*> rooms)
-      : model_(model), rooms_(std::move(rooms)), snap_(model.tolerance_m) {
+      : model_(model), rooms_(std::move(rooms)), corners_(model.tolerance_m) {
     draft_.notes = model.notes;
     names_ = {"walls"};
   }
@@ -120,14 +93,14 @@ class Drafting {
           fmt::format("room \"{}\" is open to \"{}\" by \"{}\"; import both, with another --room",
                       room.name, face.neighbour, face.name));
     }
-    RoomDraft::Face shell{.surface = unique(face.name), .outline = snap_(face.outline)};
-    for (const Outline& hole : face.holes) shell.holes.push_back(snap_(hole));
+    RoomDraft::Face shell{.surface = unique(face.name), .outline = corners_.welded(face.outline)};
+    for (const Outline& hole : face.holes) shell.holes.push_back(corners_.welded(hole));
     draft_.surfaces.push_back({shell.surface, face.finish});
     for (const ModelPart& part : face.parts) {
       const bool passage =
           !part.outdoors && part.finish.transmittance > 0 && chosen(part.neighbour);
       if (passage) {
-        shell.holes.push_back(snap_(part.outline));
+        shell.holes.push_back(corners_.welded(part.outline));
         draft_.notes.push_back(fmt::format("\"{}\" between the rooms is taken as open", part.name));
       } else {
         add_part(part, shell);
@@ -170,7 +143,7 @@ class Drafting {
 
   const BuildingModel& model_;
   std::vector<const ModelRoom*> rooms_;
-  Snap snap_;
+  CornerWeld corners_;
   RoomDraft draft_;
   std::set<std::string> names_;
 };

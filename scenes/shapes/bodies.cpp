@@ -102,15 +102,15 @@ Body stairs_body(std::string name, const Stairs& s) {
 }
 
 Body sheet_body(std::string name, const Outline& outline) {
-  Body body{
-      .name = std::move(name), .faces = {outline, {outline.rbegin(), outline.rend()}}, .parts = {}};
+  Body body{.name = std::move(name),
+            .faces = {outline, {outline.rbegin(), outline.rend()}},
+            .parts = {},
+            .two_sided = true};
   for (const Outline& piece : convex_parts(outline)) {
     body.parts.push_back(plate(piece));
   }
   return body;
 }
-
-bool is_sheet(const Body& body) { return body.parts.front().faces.size() == 2; }
 
 Body moved(const Body& body, const Eigen::Isometry3d& motion) {
   Body copy = body;

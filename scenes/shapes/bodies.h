@@ -35,9 +35,6 @@ struct Stairs {
 /// @param outline  plane and simple
 [[nodiscard]] Body sheet_body(std::string name, const Outline& outline);
 
-/// It has no volume.
-[[nodiscard]] bool is_sheet(const Body& body);
-
 [[nodiscard]] Body moved(const Body& body, const Eigen::Isometry3d& motion);
 
 }  // namespace scenes

@@ -4,10 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
+#include "scenes/geometry/corner_weld.h"
 #include "scenes/shapes/enclosure.h"
 #include "scenes/shapes/plates.h"
 #include "scenes/shapes/shell.h"
@@ -21,46 +21,13 @@ std::string words(const Vector3d& p) {
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", p.x(), p.y(), p.z());
 }
 
-/// Numbers places; those within kWeld_m get one number.
-class Corners {
- public:
-  int number(const Vector3d& p) {
-    const std::array<long, 3> cell = cell_of(p);
-    for (long dx = -1; dx <= 1; ++dx) {
-      for (long dy = -1; dy <= 1; ++dy) {
-        for (long dz = -1; dz <= 1; ++dz) {
-          const auto found = cells_.find({cell[0] + dx, cell[1] + dy, cell[2] + dz});
-          if (found == cells_.end()) continue;
-          for (const int i : found->second) {
-            if ((at(i) - p).norm() <= kWeld_m) return i;
-          }
-        }
-      }
-    }
-    points_.push_back(p);
-    cells_[cell].push_back(static_cast<int>(points_.size()) - 1);
-    return static_cast<int>(points_.size()) - 1;
-  }
-
-  [[nodiscard]] const Vector3d& at(int i) const { return points_[static_cast<std::size_t>(i)]; }
-
-  [[nodiscard]] int size() const { return static_cast<int>(points_.size()); }
-
- private:
-  static std::array<long, 3> cell_of(const Vector3d& p) {
-    const auto index = [](double x) { return std::lround(x / (4 * kWeld_m)); };
-    return {index(p.x()), index(p.y()), index(p.z())};
-  }
-
-  std::vector<Vector3d> points_;
-  std::map<std::array<long, 3>, std::vector<int>> cells_;
-};
-
 /// A piece of an edge between two corners, as a face walks it.
 struct Walk {
   std::size_t face = 0;
   bool forwards = true;  ///< from the lower number to the higher
 };
+
+constexpr double kNothing = 1e-6;  ///< fullness of what encloses nothing
 
 using Edge = std::pair<int, int>;  ///< lower number first
 
@@ -85,38 +52,21 @@ class Shell {
     for (const auto& [edge, walks] : edges_) connect(walks);
   }
 
-  /// Turns faces so that neighbours walk their common edge in opposite directions, and each shell
-  /// so that it encloses what is in front. Where thin walls meet others, four faces at an edge,
-  /// they stay as they were given to each other. @return how many shells there are
+  /// Turns faces so that neighbours walk their common edge in opposite directions, and what hangs
+  /// together so that it encloses what is in front. What encloses nothing, the two sides of a thin
+  /// wall, stays as it was given to the faces that it meets. @return how many shells there are
   int orient() {
+    std::vector<std::vector<std::size_t>> thin;
     std::vector<bool> known(faces_.size(), false);
-    int shells = 0;
     for (std::size_t first = 0; first < faces_.size(); ++first) {
       if (known[first]) continue;
-      ++shells;
-      known[first] = true;
-      std::vector<std::size_t> shell{first};
-      const auto spread = [&](std::size_t from, const Neighbours& neighbours) {
-        bool grown = false;
-        for (const auto& [other, same] : neighbours[from]) {
-          if (known[other]) continue;
-          known[other] = true;
-          grown = true;
-          if (same != turned_[from]) turn(other);
-          shell.push_back(other);
-        }
-        return grown;
-      };
-      for (std::size_t k = 0, loose = 0; loose < shell.size();) {
-        while (k < shell.size()) spread(shell[k++], neighbours_);
-        while (loose < shell.size() && !spread(shell[loose++], loose_neighbours_)) {
-        }
-      }
-      double volume = 0;
-      for (const std::size_t f : shell) volume += cone_m3(faces_[f]);
-      if (volume < 0) std::ranges::for_each(shell, [this](std::size_t f) { turn(f); });
+      const std::vector<std::size_t> piece = spread_from(first, known);
+      const double fullness = fullness_of(piece);
+      if (fullness < 0) std::ranges::for_each(piece, [this](std::size_t f) { turn(f); });
+      if (std::abs(fullness) < kNothing) thin.push_back(piece);
     }
-    return shells;
+    for (const std::vector<std::size_t>& piece : thin) turn_like_neighbours(piece);
+    return count_shells();
   }
 
   /// Faces that do not look at the air: not once around what is before them.
@@ -161,6 +111,73 @@ class Shell {
  private:
   /// The faces next to each face, and whether they walk the common edge the same way.
   using Neighbours = std::vector<std::vector<std::pair<std::size_t, bool>>>;
+
+  /// All faces that are joined to one by edges of two faces, turned as it is.
+  std::vector<std::size_t> spread_from(std::size_t first, std::vector<bool>& known) {
+    known[first] = true;
+    std::vector<std::size_t> piece{first};
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      for (const auto& [other, same] : neighbours_[piece[k]]) {
+        if (known[other]) continue;
+        known[other] = true;
+        if (same != turned_[piece[k]]) turn(other);
+        piece.push_back(other);
+      }
+    }
+    return piece;
+  }
+
+  /// Volume before the faces, seen from their middle, over area times length; a third of the sine
+  /// of their mean angle.
+  [[nodiscard]] double fullness_of(const std::vector<std::size_t>& piece) const {
+    Eigen::AlignedBox3d extent;
+    for (const std::size_t f : piece) {
+      for (const Vector3d& p : faces_[f].outline) extent.extend(p);
+    }
+    double volume = 0, area_m2 = 0;
+    for (const std::size_t f : piece) {
+      const auto add = [&](const Outline& ring, double sign) {
+        const Vector3d area = sign * vector_area_m2(ring);
+        volume -= (ring.front() - extent.center()).dot(area) / 3;
+        area_m2 += area.norm();
+      };
+      add(faces_[f].outline, 1);
+      for (const Outline& hole : faces_[f].holes) add(hole, -1);
+    }
+    return volume / (area_m2 * extent.diagonal().norm());
+  }
+
+  void turn_like_neighbours(const std::vector<std::size_t>& piece) {
+    for (const std::size_t f : piece) {
+      for (const auto& [other, same] : loose_neighbours_[f]) {
+        if (std::ranges::find(piece, other) != piece.end()) continue;
+        if (turned_[f] != turned_[other]) std::ranges::for_each(piece, [this](auto p) { turn(p); });
+        return;
+      }
+    }
+  }
+
+  [[nodiscard]] int count_shells() const {
+    std::vector<bool> known(faces_.size(), false);
+    int shells = 0;
+    for (std::size_t first = 0; first < faces_.size(); ++first) {
+      if (known[first]) continue;
+      ++shells;
+      known[first] = true;
+      std::vector<std::size_t> open{first};
+      while (!open.empty()) {
+        const std::size_t f = open.back();
+        open.pop_back();
+        for (const Neighbours* neighbours : {&neighbours_, &loose_neighbours_}) {
+          for (const auto& [other, same] : (*neighbours)[f]) {
+            if (!known[other]) open.push_back(other);
+            known[other] = true;
+          }
+        }
+      }
+    }
+    return shells;
+  }
 
   void connect(const std::vector<Walk>& walks) {
     for (std::size_t k = 1; k < walks.size(); ++k) {
@@ -211,15 +228,8 @@ class Shell {
     for (Outline& hole : faces_[f].holes) std::ranges::reverse(hole);
   }
 
-  /// Three times the volume between a face and the origin, positive in front of it.
-  static double cone_m3(const ShellFace& face) {
-    double sum = -face.outline.front().dot(vector_area_m2(face.outline));
-    for (const Outline& hole : face.holes) sum += hole.front().dot(vector_area_m2(hole));
-    return sum;
-  }
-
   std::vector<ShellFace>& faces_;
-  Corners corners_;
+  CornerWeld corners_{kWeld_m};
   std::map<Edge, std::vector<Walk>> edges_;
   Neighbours neighbours_, loose_neighbours_;  ///< at edges of two faces, and of more
   std::vector<bool> turned_;                  ///< since the edges were walked
@@ -227,7 +237,7 @@ class Shell {
 
 }  // namespace
 
-std::vector<ShellFault> close_shell(std::vector<ShellFace>& faces) {
+std::vector<ShellFault> close_shell(std::vector<ShellFace>& faces, bool several) {
   std::vector<ShellFault> faults;
   Shell shell(faces);
   const int shells = shell.orient();
@@ -235,7 +245,7 @@ std::vector<ShellFault> close_shell(std::vector<ShellFace>& faces) {
     face.frame = frame_of_plane(face.outline.front(), PlaneCoordinates(face.outline).normal());
   }
   shell.add_faults_of_edges(faults);
-  if (faults.empty() && shells > 1) {
+  if (faults.empty() && shells > 1 && !several) {
     faults.push_back({.face = 0,
                       .problem = fmt::format("the faces make {} shells", shells),
                       .remedy = "give the one that the air is in, and the rest as furniture"});

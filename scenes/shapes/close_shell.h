@@ -18,8 +18,10 @@ struct ShellFault {
 /// Welds the corners of faces and turns their fronts to the air, whichever way they were given;
 /// corners may lie on edges of other faces. Sets their frames.
 /// @param faces  plane simple polygons; holes within them
+/// @param several  they may make several shells, beside each other
 /// @return why they do not enclose one space: open edges, edges of three faces, faces that cross or
 /// lie on each other, several shells; then the faces are as good as they could be made
-[[nodiscard]] std::vector<ShellFault> close_shell(std::vector<ShellFace>& faces);
+[[nodiscard]] std::vector<ShellFault> close_shell(std::vector<ShellFace>& faces,
+                                                  bool several = false);
 
 }  // namespace scenes

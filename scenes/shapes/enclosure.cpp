@@ -97,6 +97,32 @@ bool overlap(const ConvexPart& a, const ConvexPart& b, bool plates_part,
       axes, [&](const Vector3d& axis) { return meet_along(axis, a, b, plates_part, touch_m); });
 }
 
+/// Outside, a lower bound; negative within.
+double distance_to_parts_m(const Body& body, const Vector3d& point) {
+  double nearest_m = kFar_m;
+  for (const ConvexPart& part : body.parts) {
+    double outside_m = -kFar_m;
+    for (const std::vector<int>& face : part.faces) {
+      const Vector3d &a = corner(part, face[0]), &b = corner(part, face[1]);
+      const Vector3d normal = (b - a).cross(corner(part, face[2]) - a).normalized();
+      outside_m = std::max(outside_m, normal.dot(point - a));
+    }
+    nearest_m = std::min(nearest_m, outside_m);
+  }
+  return nearest_m;
+}
+
+/// Fronts look outwards, so a closed body goes once around what is within, from behind.
+double distance_to_faces_m(const Body& body, const Vector3d& point) {
+  double nearest_m = kFar_m, turns = 0;
+  for (const Outline& outline : body.faces) {
+    const FlatFace face(outline);
+    nearest_m = std::min(nearest_m, face.distance_m(point));
+    turns += face.turns_around(point);
+  }
+  return turns < -0.5 ? -nearest_m : nearest_m;
+}
+
 /// Both sides of a wall without thickness.
 bool back_to_back(const ShellFace& a, const ShellFace& b) {
   const PlaneCoordinates plane(a.outline);
@@ -186,14 +212,17 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_faces(
     const std::vector<ShellFace>& shell) {
   constexpr double kTouching_m = 4e-6;  // corners may lie 1e-6 m off their planes
   std::vector<std::vector<ConvexPart>> plates(shell.size());
+  std::vector<Eigen::AlignedBox3d> extents(shell.size());
   for (std::size_t f = 0; f < shell.size(); ++f) {
-    for (const Outline& part : convex_parts(shell[f].outline, shell[f].holes))
+    for (const Vector3d& p : shell[f].outline) extents[f].extend(p);
+    for (const Outline& part : convex_parts(shell[f].outline, shell[f].holes)) {
       plates[f].push_back(plate(part));
+    }
   }
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t f = 0; f < shell.size(); ++f) {
     for (std::size_t g = f + 1; g < shell.size(); ++g) {
-      if (back_to_back(shell[f], shell[g])) continue;
+      if (!extents[f].intersects(extents[g]) || back_to_back(shell[f], shell[g])) continue;
       const bool cross = std::ranges::any_of(plates[f], [&](const ConvexPart& a) {
         return std::ranges::any_of(
             plates[g], [&](const ConvexPart& b) { return overlap(a, b, false, kTouching_m); });
@@ -205,18 +234,9 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_faces(
 }
 
 double distance_m(const Body& body, const Vector3d& point) {
-  if (is_sheet(body)) return FlatFace(body.faces.front()).distance_m(point);
-  double nearest_m = kFar_m;
-  for (const ConvexPart& part : body.parts) {
-    double outside_m = -kFar_m;
-    for (const std::vector<int>& face : part.faces) {
-      const Vector3d &a = corner(part, face[0]), &b = corner(part, face[1]);
-      const Vector3d normal = (b - a).cross(corner(part, face[2]) - a).normalized();
-      outside_m = std::max(outside_m, normal.dot(point - a));
-    }
-    nearest_m = std::min(nearest_m, outside_m);
-  }
-  return nearest_m;
+  const bool solid =
+      std::ranges::all_of(body.parts, [](const ConvexPart& part) { return part.faces.size() > 2; });
+  return solid ? distance_to_parts_m(body, point) : distance_to_faces_m(body, point);
 }
 
 Vector3d middle_of(const Body& body) {
@@ -227,6 +247,9 @@ Vector3d middle_of(const Body& body) {
 }
 
 bool overlap(const Body& a, const Body& b) {
+  if (distance_m(a, middle_of(b)) < -kTouch_m || distance_m(b, middle_of(a)) < -kTouch_m) {
+    return true;
+  }
   for (const ConvexPart& part : a.parts) {
     for (const ConvexPart& other : b.parts) {
       if (overlap(part, other, false)) return true;

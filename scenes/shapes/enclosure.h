@@ -50,7 +50,7 @@ class Enclosure {
 /// Outside, a lower bound of the distance to the body; negative within. Of a sheet the distance.
 [[nodiscard]] double distance_m(const Body& body, const Eigen::Vector3d& point);
 
-/// A point within it.
+/// A point of its first part.
 [[nodiscard]] Eigen::Vector3d middle_of(const Body& body);
 
 /// Two bodies share more than a boundary; two sheets also where they lie on each other.

@@ -34,8 +34,7 @@ void compare(ReceiverLight& h, const ReceiverLight& h2, const ReceiverLight& h4,
              bool extrapolate) {
   const Eigen::ArrayXd step = h.irradiance - h2.irradiance, before = h2.irradiance - h4.irradiance;
   const double strongest = h.irradiance.maxCoeff();
-  const double gain = light == Light::linear ? kLinearGain : kConstantGain;
-  const double told = std::max(step.abs().maxCoeff(), before.abs().maxCoeff() / gain) / (gain - 1);
+  const double told = left_by_mesh(step.abs().maxCoeff(), before.abs().maxCoeff(), light);
   h.mesh_error = strongest > 0 ? told / strongest : 0;
   if (extrapolate) h.irradiance = (h.irradiance + kOrder2 * step).max(0.0);
 }
@@ -64,6 +63,11 @@ double next_patch_m(double patch_m, Light light, const PointErrors& error, doubl
 }
 
 }  // namespace
+
+double left_by_mesh(double step, double before, Light light) {
+  const double gain = light == Light::linear ? kLinearGain : kConstantGain;
+  return std::max(std::abs(step), std::abs(before) / gain) / (gain - 1);
+}
 
 bool study_mesh(const scenes::Room& room, const TransportOptions& transport,
                 const RadiosityOptions& radiosity, double patch_m, bool extrapolate,

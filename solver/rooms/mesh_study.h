@@ -5,11 +5,16 @@
 
 namespace solver {
 
-/// Solves the room twice more, on patches two and four times as long, and tells every receiver and
-/// viewed point of `solution` what its mesh leaves: |E_h - E_2h| or |E_2h - E_4h| / g, the larger,
+/// What patches of length h leave of a quantity y: |y_h - y_2h| or |y_2h - y_4h| / g, the larger,
 /// over g - 1. It covers an error that falls by g from patches twice as long: g is 2 for constant
 /// light, where in the box of solver/README.md it falls faster, as h^1.3 to h^2, and 3 for linear
-/// light, where it falls as h^2 to h^4 away from edges. Costs a fifteenth of a large solve.
+/// light, where it falls as h^2 to h^4 away from edges. An estimate, no bound.
+/// @param step    y_h - y_2h
+/// @param before  y_2h - y_4h
+[[nodiscard]] double left_by_mesh(double step, double before, Light light);
+
+/// Solves the room twice more, on patches two and four times as long, and tells every receiver and
+/// viewed point of `solution` what its mesh leaves. Costs a fifteenth of a large solve.
 /// @param transport    as for `solution`
 /// @param patch_m      of the patches that were solved
 /// @param extrapolate  move the irradiance of points by (E_h - E_2h) / 3, towards patches of no

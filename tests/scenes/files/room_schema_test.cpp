@@ -33,6 +33,7 @@ const std::vector<SchemaObject> kObjects{
     {"cylinder", "/furniture/0/cylinder", "{}"},
     {"stairs", "/furniture/0/stairs", "{}"},
     {"sheet", "/furniture/0/sheet", "{}"},
+    {"mesh", "/furniture/0/mesh", "{}"},
     {"rotation", "/furniture/0/rotate", "{}"},
     {"ceiling", "/ceiling", "{}"},
     {"roof_plane", "/ceiling/planes/0", "{}"},
@@ -79,7 +80,7 @@ json room_with_unknown_key(const SchemaObject& object) {
   json room = sample_room();
   const json::json_pointer place(object.place);
   if (object.definition == "power_curve") room["lights"][0].erase("flux_lm");
-  for (const char* kind : {"prism", "cylinder", "stairs", "sheet"}) {
+  for (const char* kind : {"prism", "cylinder", "stairs", "sheet", "mesh"}) {
     if (object.definition == kind) room["furniture"][0].erase("box_m");
   }
   if (object.definition == "roof_plane") room["ceiling"] = {{"planes", json::array({0})}};

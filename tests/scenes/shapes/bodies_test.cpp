@@ -48,7 +48,7 @@ TEST(Bodies, AreFilledByTheirConvexParts) {
     double parts_m3 = 0;
     for (const ConvexPart& part : body.parts) parts_m3 += volume_within(part);
     EXPECT_NEAR(parts_m3, volume_m3, 1e-12 * volume_m3) << body.name;
-    EXPECT_FALSE(is_sheet(body));
+    EXPECT_FALSE(body.two_sided);
   }
 }
 
@@ -86,7 +86,7 @@ TEST(StairsBody, ClimbsWhereItIsTold) {
 TEST(SheetBody, LooksBothWays) {
   const Outline outline{{0, 0, 0}, {2, 0, 0}, {2, 0, 1}, {1, 0, 1}, {1, 0, 2}, {0, 0, 2}};
   const Body sheet = sheet_body("sheet", outline);
-  EXPECT_TRUE(is_sheet(sheet));
+  EXPECT_TRUE(sheet.two_sided);
   ASSERT_EQ(sheet.faces.size(), 2U);
   EXPECT_LT((vector_area_m2(sheet.faces[0]) - Vector3d(0, -3, 0)).norm(), 1e-15);
   EXPECT_LT((vector_area_m2(sheet.faces[1]) - Vector3d(0, 3, 0)).norm(), 1e-15);
