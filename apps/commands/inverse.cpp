@@ -80,10 +80,8 @@ Exit invert_room(const RankCommand& command, const Session& session) {
                                    .top = static_cast<std::size_t>(top)};
   const paints::Ranking ranking =
       seeing(run, [&] { return paints::rank(atlas, wish, rooms, how); });
-  const RankingErrors errors = seeing(run, [&] {
-    return ranking_errors(ranking, wish, painted.rooms_of_longer_patches(), how,
-                          options.room.light);
-  });
+  const RankingErrors errors = seeing(
+      run, [&] { return ranking_errors(ranking, wish, painted.rooms_of_longer_patches(), how); });
   run.clock.stop("rank");
   const ModelChoices choices = model_choices(run.room.viewing, wish_under);
   RankedSpread spread =

@@ -210,10 +210,8 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
       [&](const paints::Paint& p) { return paint_name(atlas, p); });
   if (options.robust) order_robustly(ranking, spread.ranked, kept);
   run.clock.stop("model spread");
-  const RankingErrors errors = seeing(run, [&] {
-    return ranking_errors(ranking, wish, painted.rooms_of_longer_patches(), how,
-                          options.room.light);
-  });
+  const RankingErrors errors = seeing(
+      run, [&] { return ranking_errors(ranking, wish, painted.rooms_of_longer_patches(), how); });
   run.clock.stop("mesh error");
   const Resolved resolved =
       resolve(run, painted, winners_of(ranking), {{.atlas = &atlas, .target = wish}}, options);

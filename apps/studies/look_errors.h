@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "paints/ranking.h"
-#include "solver/rooms/plan.h"
 
 namespace apps {
 
@@ -27,7 +26,6 @@ struct RankingErrors {
 [[nodiscard]] RankingErrors ranking_errors(const paints::Ranking& ranking,
                                            const paints::Target& target,
                                            const std::vector<std::vector<spectra::LitRoom>>& longer,
-                                           const paints::RankingOptions& options,
-                                           solver::Light light);
+                                           const paints::RankingOptions& options);
 
 }  // namespace apps

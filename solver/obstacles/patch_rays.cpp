@@ -1,6 +1,9 @@
 #include "solver/obstacles/patch_rays.h"
 
+#include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "solver/obstacles/ray_scene.h"
 
@@ -11,17 +14,40 @@ struct PatchRays::Scene {
   std::unique_ptr<RayScene> rays;
 };
 
+namespace {
+
+/// Some patches lie back to back: on sheets, and walls without thickness.
+bool has_thin_faces(const scenes::PatchMesh& mesh) {
+  std::map<int, int> first;  // patch of each plane
+  for (int p = 0; p < mesh.size(); ++p) first.emplace(mesh.plane[static_cast<std::size_t>(p)], p);
+  for (const auto& [plane, a] : first) {
+    for (const auto& [other, b] : first) {
+      const auto i = static_cast<std::size_t>(a), k = static_cast<std::size_t>(b);
+      if ((mesh.normal[i] + mesh.normal[k]).norm() < 1e-9 &&
+          std::abs(mesh.normal[i].dot(mesh.centre[i] - mesh.centre[k])) < 1e-9) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 PatchRays::PatchRays(const scenes::PatchMesh& mesh)
     : mesh_(mesh), scene_(std::make_unique<Scene>()) {
   std::vector<std::array<Eigen::Vector3d, 3>> triangles;
+  std::vector<Eigen::Vector3f> fronts;
+  const bool thin = has_thin_faces(mesh);
   for (int p = 0; p < mesh.size(); ++p) {
     const auto& v = mesh.polygon[static_cast<std::size_t>(p)];
     for (std::size_t k = 1; k + 1 < v.size(); ++k) {
       triangles.push_back({v[0], v[k], v[k + 1]});
       scene_->patch_of.push_back(p);
+      if (thin) fronts.push_back(mesh.normal[static_cast<std::size_t>(p)].cast<float>());
     }
   }
-  scene_->rays = std::make_unique<RayScene>(triangles);
+  scene_->rays = std::make_unique<RayScene>(triangles, std::move(fronts));
 }
 
 PatchRays::~PatchRays() = default;

@@ -5,10 +5,29 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace solver {
+namespace {
 
-RayScene::RayScene(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles) {
+/// Rejects hits of triangles whose front looks away.
+void pass_from_behind(const RTCFilterFunctionNArguments* hit) {
+  const auto* fronts = static_cast<const Eigen::Vector3f*>(hit->geometryUserPtr);
+  for (unsigned k = 0; k < hit->N; ++k) {
+    if (hit->valid[k] != -1) continue;
+    const Eigen::Vector3f& front = fronts[RTCHitN_primID(hit->hit, hit->N, k)];
+    const float along = front.x() * RTCRayN_dir_x(hit->ray, hit->N, k) +
+                        front.y() * RTCRayN_dir_y(hit->ray, hit->N, k) +
+                        front.z() * RTCRayN_dir_z(hit->ray, hit->N, k);
+    if (along >= 0) hit->valid[k] = 0;
+  }
+}
+
+}  // namespace
+
+RayScene::RayScene(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles,
+                   std::vector<Eigen::Vector3f> fronts)
+    : fronts_(std::move(fronts)) {
   // Where Embree is the first to use TBB, the worker threads keep its flush-to-zero mode, and later
   // results would depend on the number of threads. So TBB is used first.
   tbb::parallel_for(0, 64, [](int) {});
@@ -31,6 +50,10 @@ RayScene::RayScene(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles)
     index[k] = static_cast<unsigned>(k);
     const Eigen::Vector3f v = local(triangles[k / 3][k % 3]);
     std::copy_n(v.data(), 3, vertex + 3 * k);
+  }
+  if (!fronts_.empty()) {
+    rtcSetGeometryUserData(geometry, fronts_.data());
+    rtcSetGeometryIntersectFilterFunction(geometry, pass_from_behind);
   }
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene_, geometry);

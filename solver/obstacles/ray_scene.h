@@ -7,10 +7,13 @@
 
 namespace solver {
 
-/// Triangles in Embree; primitive k is triangle k.
+/// Triangles in Embree; primitive k is triangle k. Rays pass through some from behind: where two
+/// faces lie back to back, as on a sheet, either may be met first.
 class RayScene {
  public:
-  explicit RayScene(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles);
+  /// @param fronts  normal of each triangle, if those seen from behind are not there; else empty
+  explicit RayScene(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles,
+                    std::vector<Eigen::Vector3f> fronts = {});
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
@@ -23,6 +26,7 @@ class RayScene {
   }
 
  private:
+  std::vector<Eigen::Vector3f> fronts_;
   Eigen::Vector3d middle_m_;
   RTCDevice device_;
   RTCScene scene_;
