@@ -14,7 +14,7 @@ RoomReader::RoomReader(spectra::JsonFile& file, const spectra::Grid& grid)
       curves_(file, grid),
       top_(file.root().object({"$schema", "roomhue", "name", "plan_m", "wall_names", "height_m",
                                "patch_m", "openings", "furniture", "surfaces", "lights",
-                               "receivers", "view", "paint", "scenarios", "judge"})) {
+                               "receivers", "view", "views", "paint", "scenarios", "judge"})) {
   room_.grid = grid;
 }
 
@@ -31,6 +31,7 @@ Room RoomReader::read() {
   if (plan_sound_) check_covered();
   read_receivers();
   read_view();
+  read_named_views();
   read_paint();
   read_scenarios();
   file_.throw_faults();
