@@ -387,7 +387,7 @@ void add_picture_command(CLI::App& program, CommandLine& line) {
       "WIDTHxHEIGHT in pixels (default 1280x960)");
   app.add_option("--fov-deg", taken->fov_deg,
                  "horizontal field of view (default: the view's, else 60)")
-      ->check(CLI::Range(1.0, 150.0));
+      ->check(within(1, 150));
   app.add_option("--view", taken->view, "name in the room's \"views\" (default: its \"view\")");
   app.add_option("--paint", taken->paints,
                  "GROUP=PAINT: a painted group of the room with a paint of its atlas");
@@ -395,7 +395,7 @@ void add_picture_command(CLI::App& program, CommandLine& line) {
   app.add_option("--headroom", taken->headroom,
                  "how many times lighter than the room's white the white of seen.png is (default "
                  "10/9: white walls keep the tinge of the light)")
-      ->check(CLI::Range(1.0, 100.0));
+      ->check(within(1, 100));
   app.add_option("--bits", taken->bits, "of a sample of a PNG: 8 (default) or 16")
       ->check(CLI::IsMember({8, 16}));
   app.add_flag("--half", taken->half, "room.exr in half floats: for looking, not for measuring");

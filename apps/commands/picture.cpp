@@ -19,7 +19,7 @@ namespace apps {
 namespace {
 
 constexpr double kFieldOfView_deg = 60;
-constexpr int kCheckedPixels = 256;
+constexpr int kCheckedPixels = 512;
 constexpr solver::PictureOptions kDraft{.tolerance = 0.1, .coarse_m = 2, .coarse_pixels = 24};
 
 Json to_json(const PictureCommand& command) {

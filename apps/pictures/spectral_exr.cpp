@@ -19,7 +19,7 @@ namespace {
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-constexpr int kCompression = 2;  ///< of zlib: floats of light hardly shrink further
+constexpr int kCompression = 1;  ///< of zlib: floats of light hardly shrink further
 
 /// A file in memory.
 class MemoryFile : public Imf::OStream {

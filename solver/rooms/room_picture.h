@@ -15,7 +15,7 @@ struct PictureOptions {
   /// all light there.
   double tolerance = 0.01;
   double coarse_m = 0.6;     ///< triangles with longer edges are halved in any case
-  double coarse_pixels = 4;  ///< triangles with shorter edges on the film are not refined
+  double coarse_pixels = 2;  ///< triangles with shorter edges on the film are not refined
 };
 
 /// Whole rows of a picture, pixel by pixel.

@@ -13,7 +13,9 @@ using Eigen::ArrayXd;
 using Eigen::Vector3d;
 using Barycentric = std::array<double, 3>;
 
-constexpr std::array<Barycentric, 3> kTests{{{0, 0.75, 0.25}, {0, 0.25, 0.75}, {0.5, 0.25, 0.25}}};
+/// Where a triangle is put to the test: all cubics but one are seen.
+constexpr std::array<Barycentric, 5> kTests{
+    {{0, 0.75, 0.25}, {0, 0.25, 0.75}, {0.5, 0.25, 0.25}, {0.75, 0, 0.25}, {0.75, 0.25, 0}}};
 
 /// Weights of corners and middles [a, b, c, bc, ca, ab].
 std::array<double, 6> quadratic(const Barycentric& at) {
@@ -82,22 +84,27 @@ void RefinedField::halve(int cell) {
                     .middle = {parent.middle[1], inner, middle_of(m, c)}});
 }
 
-void RefinedField::evaluate(const std::vector<int>& cells, const Rules& rules) {
-  std::vector<std::pair<std::size_t, std::size_t>> wanted;  // node, facet
-  for (const int k : cells) {
-    const Cell& cell = cells_[static_cast<std::size_t>(k)];
-    for (const auto& nodes : {cell.corner, cell.middle}) {
-      for (const int node : nodes) {
-        const auto at = static_cast<std::size_t>(node);
-        if (samples_[at].values.size() == 0) wanted.emplace_back(at, cell.facet);
-      }
-    }
-  }
-  std::ranges::sort(wanted);
-  wanted.erase(std::ranges::unique(wanted).begin(), wanted.end());
-  tbb::parallel_for(std::size_t{0}, wanted.size(), [&](std::size_t k) {
-    const auto [node, facet] = wanted[k];
-    samples_[node] = rules.sample(facet, points_[node]);
+void RefinedField::add_nodes(int cell, Nodes& nodes) const {
+  const Cell& of = cells_[static_cast<std::size_t>(cell)];
+  for (const int node : of.corner) nodes.emplace_back(node, of.facet);
+  for (const int node : of.middle) nodes.emplace_back(node, of.facet);
+}
+
+/// In the order of kTests; of a cell that is halved.
+std::array<int, 5> RefinedField::tests_of(int cell) {
+  const Cell of = cells_[static_cast<std::size_t>(cell)];
+  const Cell first = cells_[static_cast<std::size_t>(of.halves)],
+             second = cells_[static_cast<std::size_t>(of.halves) + 1];
+  return {first.middle[1], second.middle[2], first.middle[2], middle_of(of.corner[0], of.middle[1]),
+          middle_of(of.corner[0], of.middle[2])};
+}
+
+void RefinedField::evaluate(Nodes nodes, const Rules& rules) {
+  std::ranges::sort(nodes);
+  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t k) {
+    const auto [node, facet] = nodes[k];
+    if (samples_[node].values.size() == 0) samples_[node] = rules.sample(facet, points_[node]);
   });
 }
 
@@ -114,37 +121,40 @@ std::vector<RefinedField::Open> RefinedField::refine(const std::vector<Open>& op
     }
     attention[k] = rules.attention(cell.facet, triangle);
   });
-  std::vector<int> asked;
+  Nodes nodes;
+  std::vector<std::array<int, 5>> tests(open.size());
   for (std::size_t k = 0; k < open.size(); ++k) {
+    const auto& [cell, error] = open[k];
     if (attention[k] == Attention::none) continue;
-    asked.push_back(open[k].cell);
+    add_nodes(cell, nodes);
     if (attention[k] == Attention::coarse || full) {
-      if (open[k].error > rules.tolerance) largest_left_ = std::max(largest_left_, open[k].error);
+      if (error > rules.tolerance) largest_left_ = std::max(largest_left_, error);
       continue;
     }
-    halve(open[k].cell);
-    const int first = cells_[static_cast<std::size_t>(open[k].cell)].halves;
-    asked.insert(asked.end(), {first, first + 1});
+    halve(cell);
+    const Cell& halved = cells_[static_cast<std::size_t>(cell)];
+    add_nodes(halved.halves, nodes);
+    add_nodes(halved.halves + 1, nodes);
+    if (attention[k] == Attention::cut) continue;
+    tests[k] = tests_of(cell);
+    for (const int node : tests[k]) nodes.emplace_back(node, halved.facet);
   }
-  evaluate(asked, rules);
+  evaluate(std::move(nodes), rules);
   std::vector<Open> next;
   for (std::size_t k = 0; k < open.size(); ++k) {
     const Cell& parent = cells_[static_cast<std::size_t>(open[k].cell)];
     if (parent.halves < 0) continue;
-    const double error = misfit(parent);
+    const double error = attention[k] == Attention::cut ? 0 : misfit(parent, tests[k]);
     if (attention[k] != Attention::cut && error <= rules.tolerance) continue;
     next.insert(next.end(), {{parent.halves, error}, {parent.halves + 1, error}});
   }
   return next;
 }
 
-double RefinedField::misfit(const Cell& cell) const {
+double RefinedField::misfit(const Cell& cell, const std::array<int, 5>& tests) const {
   const auto sample = [&](int node) -> const Sample& {
     return samples_[static_cast<std::size_t>(node)];
   };
-  const Cell &first = cells_[static_cast<std::size_t>(cell.halves)],
-             &second = cells_[static_cast<std::size_t>(cell.halves) + 1];
-  const std::array<int, 3> tests{first.middle[1], second.middle[2], first.middle[2]};
   double largest = 0;
   for (std::size_t t = 0; t < tests.size(); ++t) {
     const Sample& truth = sample(tests[t]);

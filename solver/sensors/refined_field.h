@@ -23,9 +23,10 @@ enum class Attention {
 ///
 /// Each facet is a fan of triangles around its centre. What is halved is the edge opposite to the
 /// newest corner (newest vertex bisection), which keeps triangles from growing thin and a symmetric
-/// facet symmetric. A triangle has six nodes, its corners and the middles of its edges; its two
-/// halves have three more, at which its quadratic is put to the test. If it holds there, the
-/// halves, with about an eighth of its error, stay as they are.
+/// facet symmetric. A triangle has six nodes, its corners and the middles of its edges. Its
+/// quadratic is put to the test at the three nodes that its halves have more, and half-way to the
+/// middles of the two other edges. If it holds there, the halves, with about an eighth of its
+/// error, stay as they are.
 class RefinedField {
  public:
   using Triangle = std::array<Eigen::Vector3d, 3>;
@@ -40,7 +41,8 @@ class RefinedField {
     std::function<Sample(std::size_t facet, const Eigen::Vector3d& point)> sample;
     /// Of a triangle of a facet, before any of its values is known.
     std::function<Attention(std::size_t facet, const Triangle& triangle)> attention;
-    double tolerance = 0.01;   ///< RMS over the values of a point, relative to its scale
+    /// RMS over the values of a point, relative to its scale; an estimate, not a bound.
+    double tolerance = 0.01;
     int most_nodes = 1000000;  ///< beyond which nothing is refined
   };
 
@@ -78,9 +80,13 @@ class RefinedField {
   [[nodiscard]] int middle_of(int a, int b);
   void plant(const std::vector<Facet>& facets);
   void halve(int cell);
-  void evaluate(const std::vector<int>& cells, const Rules& rules);
+  /// The nodes of a cell, and that it is put to the test at.
+  using Nodes = std::vector<std::pair<std::size_t, std::size_t>>;  ///< node, facet
+  void add_nodes(int cell, Nodes& nodes) const;
+  [[nodiscard]] std::array<int, 5> tests_of(int cell);
+  void evaluate(Nodes nodes, const Rules& rules);
   [[nodiscard]] std::vector<Open> refine(const std::vector<Open>& open, const Rules& rules);
-  [[nodiscard]] double misfit(const Cell& cell) const;
+  [[nodiscard]] double misfit(const Cell& cell, const std::array<int, 5>& tests) const;
 
   std::vector<Cell> cells_;
   std::vector<std::vector<Root>> roots_;  ///< of each facet

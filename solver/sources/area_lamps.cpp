@@ -8,7 +8,6 @@ namespace solver {
 
 using Eigen::ArrayXd;
 using Eigen::Vector3d;
-using Polygons = std::vector<std::vector<Vector3d>>;
 
 AreaLamps::AreaLamps(const std::vector<Facet>& facets, const std::vector<ArrayXd>& exitance,
                      const Visibility& visibility)
@@ -27,16 +26,22 @@ void AreaLamps::add(const Vector3d& point, const Vector3d& normal, ArrayXd& irra
   SeparationMask mask;
   for (std::size_t l = 0; l < lamps_.size(); ++l) {
     const Lamp& lamp = lamps_[l];
-    double factor = whole[static_cast<Eigen::Index>(l)];
+    const double factor = whole[static_cast<Eigen::Index>(l)];
     if (factor <= 0 || lamp.facet.plane().height_m(point) <= 1e-12) continue;
     if (mask.empty()) mask = visibility_.separation(point, normal);
-    if (Visibility::may_block(mask, lamp.mask)) factor = visible_factor(lamp, mask, point, normal);
-    irradiance += factor * lamp.exitance;
+    const Polygons lit = lit_parts(lamp, mask, point);
+    if (lit.size() == 1 && lit[0] == lamp.facet.vertices) {
+      irradiance += factor * lamp.exitance;
+    } else {
+      for (const auto& part : lit) {
+        irradiance += point_to_polygon(point, normal, part) * lamp.exitance;
+      }
+    }
   }
 }
 
-double AreaLamps::visible_factor(const Lamp& lamp, const SeparationMask& mask,
-                                 const Vector3d& point, const Vector3d& normal) const {
+AreaLamps::Polygons AreaLamps::lit_parts(const Lamp& lamp, const SeparationMask& mask,
+                                         const Vector3d& point) const {
   Polygons lit{lamp.facet.vertices};
   for (std::size_t b = 0; b < alone_.size() && !lit.empty(); ++b) {
     if (!Visibility::may_block(std::span(&mask[b], 1), std::span(&lamp.mask[b], 1))) continue;
@@ -47,9 +52,7 @@ double AreaLamps::visible_factor(const Lamp& lamp, const SeparationMask& mask,
     }
     lit = std::move(left);
   }
-  double factor = 0;
-  for (const auto& part : lit) factor += point_to_polygon(point, normal, part);
-  return factor;
+  return lit;
 }
 
 }  // namespace solver

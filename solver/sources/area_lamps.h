@@ -26,9 +26,11 @@ class AreaLamps {
     SeparationMask mask;
   };
 
-  [[nodiscard]] double visible_factor(const Lamp& lamp, const SeparationMask& mask,
-                                      const Eigen::Vector3d& point,
-                                      const Eigen::Vector3d& normal) const;
+  using Polygons = std::vector<std::vector<Eigen::Vector3d>>;
+
+  /// What of a lamp is seen from a point.
+  [[nodiscard]] Polygons lit_parts(const Lamp& lamp, const SeparationMask& mask,
+                                   const Eigen::Vector3d& point) const;
 
   std::vector<Lamp> lamps_;
   PointFactors factors_;
