@@ -108,6 +108,13 @@ struct View {
   Eigen::Vector3d eye_m, look_at_m;
 };
 
+/// A place to take a picture from.
+struct NamedView {
+  std::string name;
+  View view;
+  double fov_deg = 0;  ///< horizontal field of view; 0: as the picture's maker chooses
+};
+
 /// The light that a swatch is looked at in.
 struct SwatchLight {
   Spectrum irradiance;       ///< W m^-2 nm^-1
@@ -171,6 +178,7 @@ struct Room {
   std::vector<PlacedLuminaire> luminaires;
   std::vector<Receiver> receivers;
   std::optional<View> view;
+  std::vector<NamedView> views;  ///< for pictures, beside `view`
   spectra::ViewingChoices viewing;
   std::vector<PaintTask> paint;  ///< groups that are painted independently; none: empty
   std::vector<Light> lights;

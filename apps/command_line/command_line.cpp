@@ -13,6 +13,8 @@
 namespace apps {
 namespace {
 
+constexpr int kMostPixels = 1'000'000;  ///< along an edge
+
 void add_patch_option(CLI::App& command, RoomOptions& options) {
   command
       .add_option(
@@ -372,7 +374,50 @@ CLI::Option* add_set_option(CLI::App& command, std::string& set) {
       ->check(CLI::IsMember(spectra::bilinear_set_names()).description("SET"));
 }
 
+/// "1280x960"
+void set_size(const std::string& text, PictureCommand& picture) {
+  std::istringstream in(text);
+  char x = 0;
+  const bool read = in >> picture.width >> x >> picture.height && x == 'x' && in.peek() == EOF;
+  const bool sound = picture.width > 0 && picture.height > 0 && picture.width <= kMostPixels &&
+                     picture.height <= kMostPixels;
+  if (!read || !sound) {
+    throw CLI::ValidationError(
+        "--size",
+        fmt::format("\"{}\": give WIDTHxHEIGHT in pixels, each from 1 to {}", text, kMostPixels));
+  }
+}
+
+void add_picture_command(CLI::App& program, CommandLine& line) {
+  Subcommand picture(program, "picture",
+                     "The room as a picture: room.exr (spectra), photograph.png, seen.png",
+                     "scenes/rooms/office.json --out out/office --size 640x480");
+  const auto taken = picture.runs(take_pictures, line);
+  CLI::App& app = picture.app();
+  app.add_option("ROOM", taken->room, "room file")->required();
+  add_out(app, taken->out);
+  app.add_option_function<std::string>(
+      "--size", [taken](const std::string& text) { set_size(text, *taken); },
+      "WIDTHxHEIGHT in pixels (default 1280x960)");
+  app.add_option("--fov-deg", taken->fov_deg,
+                 "horizontal field of view (default: the view's, else 60)")
+      ->check(within(1, 150));
+  app.add_option("--view", taken->view, "name in the room's \"views\" (default: its \"view\")");
+  app.add_option("--paint", taken->paints,
+                 "GROUP=PAINT: a painted group of the room with a paint of its atlas");
+  app.add_flag("--draft", taken->draft, "coarse reflected light, for a first look");
+  app.add_option("--headroom", taken->headroom,
+                 "how many times lighter than the room's white the white of seen.png is (default "
+                 "10/9: white walls keep the tinge of the light)")
+      ->check(within(1, 100));
+  app.add_option("--bits", taken->bits, "of a sample of a PNG: 8 (default) or 16")
+      ->check(CLI::IsMember({8, 16}));
+  app.add_flag("--half", taken->half, "room.exr in half floats: for looking, not for measuring");
+  add_options(app, taken->options);
+}
+
 void add_picture_commands(CLI::App& program, CommandLine& line) {
+  add_picture_command(program, line);
   Subcommand relight(program, "relight",
                      "A picture in OpenEXR under another light [Granier2004]: R, G, B divided by "
                      "the colour of one light, times that of another; all else is kept",

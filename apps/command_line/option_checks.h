@@ -31,6 +31,17 @@ inline const CLI::Validator kShare(
     },
     "SHARE");
 
+/// Unlike CLI::Range, refuses nan too.
+inline CLI::Validator within(double least, double most) {
+  return {[=](const std::string& text) {
+            double value = 0;
+            const bool good =
+                CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+            return good ? std::string() : text + " is not within the range";
+          },
+          "FROM " + CLI::detail::to_string(least) + " TO " + CLI::detail::to_string(most)};
+}
+
 /// A step that divides 100 parts.
 inline const CLI::Validator kStep(
     [](const std::string& text) {

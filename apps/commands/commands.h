@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "appearance/display.h"
 #include "apps/run/room_options.h"
 #include "apps/run/session.h"
 #include "apps/system/outcome.h"
@@ -62,6 +63,19 @@ struct ShaderCommand {
   std::optional<Colour> alpha;
 };
 
+struct PictureCommand {
+  std::string room, out;
+  RoomOptions options;
+  int width = 1280, height = 960;
+  double fov_deg = 0;               ///< horizontal; 0: the view's, else 60
+  std::string view;                 ///< name in the room's views; empty: its view
+  std::vector<std::string> paints;  ///< GROUP=PAINT
+  bool draft = false;
+  double headroom = appearance::Display::kHeadroom;
+  int bits = 8;       ///< of a PNG's sample
+  bool half = false;  ///< numbers of the spectral picture
+};
+
 struct VerifyCommand {
   std::string out;       ///< folder; empty: nothing is written
   std::string measured;  ///< folder of the measured rooms to compare with; empty: closed forms
@@ -83,6 +97,7 @@ Exit import_model(const ImportCommand& command, const Session& session);
 Exit solve_cube(const FileCommand& command, const Session& session);
 Exit solve_brick(const FileCommand& command, const Session& session);
 Exit relight_picture(const RelightCommand& command, const Session& session);
+Exit take_pictures(const PictureCommand& command, const Session& session);
 Exit print_shader(const ShaderCommand& command, const Session& session);
 Exit verify_engine(const VerifyCommand& command, const Session& session);
 Exit compare_measured(const VerifyCommand& command, const Session& session);

@@ -3,34 +3,16 @@
 #include <Imath/ImathFun.h>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <string_view>
-#include <thread>
 
+#include "apps/pictures/for_rows.h"
 #include "apps/pictures/half_floats.h"
 
 namespace apps {
 namespace {
 
 std::int64_t bytes_of(Imf::PixelType type) { return type == Imf::HALF ? 2 : 4; }
-
-/// Calls job(row) for all rows; each thread takes a few at a time, as it comes to them.
-template <typename Job>
-void for_rows(std::int64_t rows, int threads, const Job& job) {
-  constexpr std::int64_t kAtOnce = 16;
-  std::atomic<std::int64_t> next = 0;
-  const auto work = [&] {
-    for (std::int64_t first = next.fetch_add(kAtOnce); first < rows;
-         first = next.fetch_add(kAtOnce)) {
-      const std::int64_t end = std::min(first + kAtOnce, rows);
-      for (std::int64_t row = first; row < end; ++row) job(static_cast<std::size_t>(row));
-    }
-  };
-  std::vector<std::jthread> others;
-  for (int k = 1; k < threads && k * kAtOnce < rows; ++k) others.emplace_back(work);
-  work();
-}
 
 /// Most samples that so many pixels can hold, wherever they begin.
 std::int64_t samples_in(std::int64_t pixels, int sampling) {

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kStep_m = 1e-6;  ///< from a receiver's surface into the air before it
 constexpr std::size_t kMostGroups = 3;
+constexpr spectra::Limits kFieldOfView_deg{.least = 1, .most = 150};
 constexpr spectra::Limits kWeight{.least = 0, .most = 1e6, .above_least = true};
 
 }  // namespace
@@ -66,6 +67,18 @@ void RoomReader::read_view() {
       node->object({"eye_m", "look_at_m", "surround", "background", "white", "size_effect"});
   read_viewing_choices(view);
   if (view.has("eye_m") || view.has("look_at_m")) read_view_points(view, room_.view);
+}
+
+void RoomReader::read_named_views() {
+  const auto node = top_.find("views");
+  if (!node) return;
+  for (const auto& [name, entry] : node->any_object().entries()) {
+    const JsonObject place = entry.object({"eye_m", "look_at_m", "fov_deg"});
+    std::optional<View> view;
+    read_view_points(place, view);
+    room_.views.push_back(
+        {.name = name, .view = *view, .fov_deg = place.number_or("fov_deg", 0, kFieldOfView_deg)});
+  }
 }
 
 void RoomReader::read_view_points(const JsonObject& view, std::optional<View>& into) {

@@ -13,7 +13,8 @@ RoomReader::RoomReader(spectra::JsonFile& file, const spectra::Grid& grid)
       curves_(file, grid),
       top_(file.root().object({"$schema", "roomhue", "name", "plan_m", "wall_names", "height_m",
                                "ceiling", "faces", "patch_m", "openings", "furniture", "surfaces",
-                               "lights", "receivers", "view", "paint", "scenarios", "judge"})) {
+                               "lights", "receivers", "view", "views", "paint", "scenarios",
+                               "judge"})) {
   room_.grid = grid;
 }
 
@@ -36,6 +37,7 @@ Room RoomReader::read() {
   if (shell_sound_) check_covered();
   read_receivers();
   read_view();
+  read_named_views();
   read_paint();
   read_scenarios();
   file_.throw_faults();

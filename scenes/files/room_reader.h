@@ -140,6 +140,7 @@ class RoomReader {
   // read_task.cpp
   void read_receivers();
   void read_view();
+  void read_named_views();
   void read_view_points(const spectra::JsonObject& view, std::optional<View>& into);
   void read_scenarios();
   void read_scenario(const spectra::JsonNode& node);

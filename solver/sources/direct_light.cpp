@@ -47,17 +47,22 @@ std::vector<SunBeam> beams(const scenes::Room& room, const std::vector<Blocker>&
 /// What a source sends to a patch, of its own measure of flux: in all, and with psi_1 and psi_2.
 using Share = Eigen::Vector3d;
 
+/// What a beam reaches of a polygon.
+std::vector<std::vector<Vector3d>> lit_parts(std::vector<Vector3d> polygon, const SunBeam& beam) {
+  polygon = clip(polygon, beam.opening);
+  for (const Plane& side : beam.sides) {
+    if (!polygon.empty()) polygon = clip(polygon, side);
+  }
+  if (polygon.empty()) return {};
+  return beam.shadows.lit_parts(polygon);
+}
+
 /// Area times cosine of the part of a facet that a beam lights, m^2.
 Share lit_area_m2(const Facet& facet, const SlopeBasis* basis, const SunBeam& beam) {
   Share share = Share::Zero();
   const double cosine = facet.normal.dot(beam.to_sun);
   if (cosine <= 1e-12) return share;
-  std::vector<Vector3d> lit = clip(facet.vertices, beam.opening);
-  for (const Plane& side : beam.sides) {
-    if (!lit.empty()) lit = clip(lit, side);
-  }
-  if (lit.empty()) return share;
-  for (std::vector<Vector3d>& vertices : beam.shadows.lit_parts(lit)) {
+  for (std::vector<Vector3d>& vertices : lit_parts(facet.vertices, beam)) {
     const Facet part = make_facet(std::move(vertices));
     share[0] += part.area_m2;
     if (basis != nullptr && part.area_m2 > 0) {
@@ -97,6 +102,35 @@ void spread(const std::vector<Share>& shares, double whole, const ArrayXd& per_b
     for (Eigen::Index row = static_cast<Eigen::Index>(i), a = 0; row < light.irradiance.rows();
          row += n, ++a) {
       light.irradiance.row(row) += scaled[a] / facets[i].area_m2 * per_band.transpose();
+    }
+  }
+}
+
+/// As if nothing stood in the way.
+ArrayXd lamp_light(const PointSource& lamp, const Vector3d& point, const Vector3d& normal) {
+  const Vector3d r = lamp.at_m - point;
+  return lamp.intensity * (std::max(0.0, normal.dot(r)) / std::pow(r.norm(), 3));
+}
+
+bool lights(const SunBeam& beam, const Vector3d& point) {
+  return beam.opening.height_m(point) > 0 &&
+         std::ranges::all_of(beam.sides, [&](const Plane& p) { return p.height_m(point) >= 0; }) &&
+         !beam.shadows.contain(point);
+}
+
+/// Adds the mean of a source's light over a polygon: `lit` says whether the source reaches a point,
+/// `parts` gives what it reaches of the polygon, `light` is its irradiance where it does.
+template <typename Lit, typename Parts, typename Light>
+void add_over(const std::vector<Vector3d>& polygon, const Vector3d& middle, const Lit& lit,
+              const Parts& parts, const Light& light, ArrayXd& sum) {
+  const auto corners = static_cast<std::size_t>(std::ranges::count_if(polygon, lit));
+  if (corners == polygon.size()) {
+    sum += light(middle);
+  } else if (corners > 0) {
+    const double whole_m2 = make_facet(polygon).area_m2;
+    for (std::vector<Vector3d>& vertices : parts(polygon)) {
+      const Facet part = make_facet(std::move(vertices));
+      if (part.area_m2 > 0) sum += part.area_m2 / whole_m2 * light(part.centre);
     }
   }
 }
@@ -204,23 +238,37 @@ DirectLight DirectSources::on_patches(const scenes::PatchMesh& mesh,
 ArrayXd DirectSources::at_point(const Vector3d& point, const Vector3d& normal) const {
   ArrayXd irradiance = ArrayXd::Zero(bands_);
   for (const PointSource& lamp : lamps_) {
-    const Vector3d r = lamp.at_m - point;
-    const double cosine_over_square = normal.dot(r) / std::pow(r.norm(), 3);
-    if (cosine_over_square > 0 && !lamp.shadows.contain(point)) {
-      irradiance += lamp.intensity * cosine_over_square;
-    }
+    if (!lamp.shadows.contain(point)) irradiance += lamp_light(lamp, point, normal);
   }
   for (const SunBeam& beam : beams_) {
     const double cosine = normal.dot(beam.to_sun);
-    const bool in_prism =
-        beam.opening.height_m(point) > 0 &&
-        std::ranges::all_of(beam.sides, [&](const Plane& p) { return p.height_m(point) >= 0; });
-    if (cosine > 0 && in_prism && !beam.shadows.contain(point)) {
-      irradiance += beam.normal_irradiance * cosine;
-    }
+    if (cosine > 0 && lights(beam, point)) irradiance += beam.normal_irradiance * cosine;
   }
   for (const LuminaireSource& luminaire : luminaires_) {
     irradiance += luminaire.per_lumen() * luminaire.at_point(point, normal);
+  }
+  return irradiance;
+}
+
+ArrayXd DirectSources::over(const std::vector<Vector3d>& polygon, const Vector3d& middle,
+                            const Vector3d& normal) const {
+  ArrayXd irradiance = ArrayXd::Zero(bands_);
+  for (const PointSource& lamp : lamps_) {
+    add_over(
+        polygon, middle, [&](const Vector3d& p) { return !lamp.shadows.contain(p); },
+        [&](const auto& whole) { return lamp.shadows.lit_parts(whole); },
+        [&](const Vector3d& p) { return lamp_light(lamp, p, normal); }, irradiance);
+  }
+  for (const SunBeam& beam : beams_) {
+    const double cosine = normal.dot(beam.to_sun);
+    if (cosine <= 0) continue;
+    add_over(
+        polygon, middle, [&](const Vector3d& p) { return lights(beam, p); },
+        [&](const auto& whole) { return lit_parts(whole, beam); },
+        [&](const Vector3d&) { return beam.normal_irradiance * cosine; }, irradiance);
+  }
+  for (const LuminaireSource& luminaire : luminaires_) {
+    irradiance += luminaire.per_lumen() * luminaire.at_point(middle, normal);
   }
   return irradiance;
 }

@@ -60,6 +60,16 @@ class DirectSources {
   [[nodiscard]] Eigen::ArrayXd at_point(const Eigen::Vector3d& point,
                                         const Eigen::Vector3d& normal) const;
 
+  /// Mean irradiance over a polygon that is small, like a pixel: the light is that of its middle,
+  /// but where the edge of a shadow crosses it, of the middles of what is lit.
+  [[nodiscard]] Eigen::ArrayXd over(const std::vector<Eigen::Vector3d>& polygon,
+                                    const Eigen::Vector3d& middle,
+                                    const Eigen::Vector3d& normal) const;
+
+  [[nodiscard]] bool empty() const {
+    return lamps_.empty() && beams_.empty() && luminaires_.empty();
+  }
+
  private:
   Eigen::Index bands_;
   std::vector<PointSource> lamps_;

@@ -212,6 +212,13 @@ std::optional<JsonNode> JsonObject::find(std::string_view key) const {
   return std::nullopt;
 }
 
+std::vector<std::pair<std::string, JsonNode>> JsonObject::entries() const {
+  std::vector<std::pair<std::string, JsonNode>> all;
+  if (!readable_) return all;
+  for (const JsonValue::Key& key : node_.value_->keys) all.emplace_back(key.name, *find(key.name));
+  return all;
+}
+
 std::optional<JsonNode> JsonObject::need(std::string_view key) const {
   std::optional<JsonNode> found = find(key);
   if (!found && readable_) {

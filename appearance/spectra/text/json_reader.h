@@ -87,6 +87,8 @@ class JsonObject {
   [[nodiscard]] bool has(std::string_view key) const { return find(key).has_value(); }
 
   [[nodiscard]] std::optional<JsonNode> find(std::string_view key) const;
+  /// Every key and its value, in the order of the file.
+  [[nodiscard]] std::vector<std::pair<std::string, JsonNode>> entries() const;
   /// A fault if it is missing.
   [[nodiscard]] std::optional<JsonNode> need(std::string_view key) const;
 

@@ -64,6 +64,7 @@ const std::vector<SchemaObject> kObjects{
     {"view", "/view", "{}"},
     {"paint", "/paint", "{}"},
     {"eye", "/paint/view", "{}"},
+    {"named_view", "/views/door", "{}"},
     {"scenario", "/scenarios/0", "{}"},
     {"correlates", "/paint/target", R"({"J": 0})"},
     {"swatch_light", "/paint/target/seen", "{}"},
