@@ -91,6 +91,9 @@ Exit invert_room(const RankCommand& command, const Session& session) {
 
   run.record["model_spread"] = describe(spread.told);
   run.record["inverse"] = describe(inverse, wish);
+  const appearance::RoomView& view = inverse.seen.front().view;
+  run.record["viewing"] = describe(view, run.room, viewed_point(run));
+  tell_white(run, view);
   run.record["response"] = painted.record();
   const int top = options.top > 0 ? options.top : task.top;
   std::vector<OutputFile> files{

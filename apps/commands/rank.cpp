@@ -198,6 +198,7 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
   if (!ranking.paints.empty()) {
     const appearance::RoomView& view = ranking.paints.front().seen.front().view;
     run.record["viewing"] = describe(view, run.room, viewed_point(run));
+    tell_white(run, view);
   }
   run.record["ranking"]["resolved"] = resolved.record("paints");
   run.record["response"] = painted.record();
