@@ -44,7 +44,9 @@ Eigen::Matrix3d srgb_from_adapted_xyz() {
 
 }  // namespace
 
-Vector3d srgb_encoded(const Vector3d& linear) { return linear.unaryExpr(&spectra::srgb_encoded); }
+Vector3d srgb_encoded(const Vector3d& linear) {
+  return linear.cwiseMax(0.0).cwiseMin(1.0).unaryExpr(&spectra::srgb_encoded);
+}
 
 Vector3d linear_srgb_of(const Vector3d& xyz) { return srgb_of_xyz() * xyz; }
 

@@ -14,7 +14,8 @@ std::vector<MappedChip> map_atlas(const Atlas& atlas, const std::vector<spectra:
                                   const RankingOptions& options) {
   std::vector<MappedChip> chips;
   for (const Paint& paint : atlas.paints) {
-    MappedChip chip{.paint = &paint, .swatch = appearance::on_swatch(paint.reflectance)};
+    MappedChip chip{.paint = &paint,
+                    .swatch = appearance::on_swatch(paint.reflectance, options.swatch)};
     const Target own =
         chip.swatch.correlates.status.all_defined() ? target_of(chip.swatch.correlates) : Target{};
     chip.seen = look(paint.reflectance, own, rooms, options.distance, options.viewing);

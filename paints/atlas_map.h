@@ -21,7 +21,7 @@ struct Order {
   double distance = 0;                  ///< of the ordered chip's look in the room from the wish
 };
 
-/// Every chip, in the atlas's order.
+/// Every chip, in the atlas's order, its swatch held as `options` say.
 /// @throws std::domain_error  if the room leaves the viewer without light
 [[nodiscard]] std::vector<MappedChip> map_atlas(const Atlas& atlas,
                                                 const std::vector<spectra::LitRoom>& rooms,

@@ -43,7 +43,7 @@ struct RankingOptions {
   spectra::Judgement judgement = spectra::Judgement::mean;
   std::size_t top = std::numeric_limits<std::size_t>::max();  ///< how many of the best are kept
   appearance::SwatchCondition swatch =
-      appearance::standard_swatch();  ///< what the windows see the paints on
+      appearance::standard_swatch();  ///< what windows and atlas maps see the paints on
 };
 
 /// A paint on the viewed wall of the room, in one lighting.

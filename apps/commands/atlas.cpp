@@ -125,8 +125,10 @@ Exit map_atlas(const RankCommand& command, const Session& session) {
   require_painted_view(run);
   PaintedRoom painted(run, options, out, highest_reflectance(atlas, std::nullopt));
   const std::vector<spectra::LitRoom> rooms = painted.rooms();
-  const paints::RankingOptions looks{
-      .distance = options.distance, .viewing = run.room.viewing, .judgement = run.room.judgement};
+  const paints::RankingOptions looks{.distance = options.distance,
+                                     .viewing = run.room.viewing,
+                                     .judgement = run.room.judgement,
+                                     .swatch = swatch_of_group(run, painted)};
   const std::vector<MappedChip> chips =
       seeing(run, [&] { return paints::map_atlas(atlas, rooms, looks); });
   const std::vector<paints::Order> orders = paints::orders(chips, rooms, looks);
@@ -145,6 +147,12 @@ Exit map_atlas(const RankCommand& command, const Session& session) {
   for (OutputFile& file : painted.files()) files.push_back(std::move(file));
   run.record["response"] = painted.record();
   run.record["atlas"] = summary(chips, orders);
+  if (!chips.empty()) {
+    const appearance::RoomView& view = chips.front().seen.front().view;
+    run.record["viewing"] = describe(view, run.room, viewed_point(run));
+    run.record["viewing"]["paint"] = paint_name(atlas, *chips.front().paint);
+    tell_white(run, view);
+  }
   RunResult result = finish(run, painted.converged(), std::move(files), out);
   result.text = summary_text(run.record["atlas"]);
   result.data = {{"status", result.record["status"]},

@@ -94,6 +94,9 @@ Exit invert_room(const RankCommand& command, const Session& session) {
 
   run.record["model_spread"] = describe(spread.told);
   run.record["inverse"] = describe(inverse, wish);
+  const appearance::RoomView& view = inverse.seen.front().view;
+  run.record["viewing"] = describe(view, run.room, viewed_point(run));
+  tell_white(run, view);
   run.record["response"] = painted.record();
   std::vector<OutputFile> files{
       {.path = out / "reflectance.csv",

@@ -196,6 +196,7 @@ void check_best(RoomRun& run, PaintedRoom& painted, const Mixing& mixing) {
       std::hypot(p.lightness - q.lightness, p.a_c - q.a_c, p.b_c - q.b_c);
   run.record["solution"] = describe(solution, run.room);
   run.record["viewing"] = describe(best.view, run.room, viewed_point(run));
+  tell_white(run, best.view);
 }
 
 }  // namespace

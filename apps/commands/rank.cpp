@@ -224,6 +224,7 @@ RunResult run_rank(const std::string& path, const RankOptions& options,
     const appearance::RoomView& view = ranking.paints.front().seen.front().view;
     run.record["viewing"] = describe(view, run.room, viewed_point(run));
     run.record["viewing"]["mesh_error"] = describe(errors);
+    tell_white(run, view);
   }
   run.record["ranking"]["resolved"] = resolved.record("paints");
   run.record["response"] = painted.record();

@@ -227,8 +227,8 @@ RunResult rank_schemes(RoomRun& run, const RankOptions& options, const std::file
   for (OutputFile& file : painted.files()) files.push_back(std::move(file));
   RunResult result = finish(run, painted.converged(), std::move(files), out);
   result.text = best_table(run, groups, ranking) + guarantee(ranking) + "\n";
-  if (!ranking.schemes.empty()) {
-    result.text += model_spread_text(spread, "\"" + run.room.paint.front().name + "\"");
+  for (std::size_t g = 0; g < spread.rows.size(); ++g) {
+    result.text += model_spread_text(spread, "\"" + run.room.paint[g].name + "\"", g);
   }
   result.data = {{"status", result.record["status"]},
                  {"folder", out.string()},

@@ -7,6 +7,7 @@
 #include "apps/reports/colour_reports.h"
 #include "apps/reports/model_spread_report.h"
 #include "apps/studies/model_spread.h"
+#include "apps/studies/paint_wish.h"
 #include "apps/studies/painted_room.h"
 #include "apps/studies/surface_views.h"
 
@@ -21,6 +22,15 @@ std::string paint_of(const Json& room_file, const scenes::Surface& surface) {
   return reflectance.is_object() ? reflectance.value("paint", surface.name) : surface.name;
 }
 
+/// The swatch of a painted surface, held as its group's target is: "here" is before the surface.
+appearance::SwatchCondition swatch_for(const RoomRun& run, int surface,
+                                       const spectra::ViewingChoices& viewing,
+                                       const spectra::ViewedLight& here) {
+  const int group = scenes::paint_group(run.room, surface);
+  const auto& target = run.room.paint[static_cast<std::size_t>(group)].target;
+  return target ? swatch_of(run, *target, viewing, here) : appearance::standard_swatch();
+}
+
 /// Each surface under every choice of the model, and how far it is from its own swatch.
 ModelSpread spread_of(const RoomRun& run, const solver::RoomSolution& solution,
                       const std::vector<Shift>& shifts) {
@@ -28,12 +38,13 @@ ModelSpread spread_of(const RoomRun& run, const solver::RoomSolution& solution,
   for (std::size_t k = 0; k < shifts.size(); ++k) {
     const spectra::ViewedLight light =
         seeing(run, [&] { return solver::viewed_light(run.room, run.transport, solution, k); });
-    const spectra::Spectrum& reflectance =
-        solution.reflectances[static_cast<std::size_t>(run.transport.viewed[k].at.surface)];
-    const appearance::Correlates& swatch = shifts[k].swatch.correlates;
-    const paints::Target own =
-        swatch.status.all_defined() ? paints::target_of(swatch) : paints::Target{};
-    spread.choices = model_choices(run.room.viewing, [&](const auto&) { return own; });
+    const int surface = run.transport.viewed[k].at.surface;
+    const spectra::Spectrum& reflectance = solution.reflectances[static_cast<std::size_t>(surface)];
+    spread.choices = model_choices(run.room.viewing, [&](const auto& viewing) {
+      const appearance::Correlates swatch =
+          seen_on_swatch(reflectance, swatch_for(run, surface, viewing, light)).correlates;
+      return swatch.status.all_defined() ? paints::target_of(swatch) : paints::Target{};
+    });
     spread.rows.push_back(spread_row(
         run, shifts[k].surface, reflectance,
         {{.name = "", .weight = 1, .view = [&](const auto&) { return light; }}}, spread.choices));
@@ -68,10 +79,14 @@ Exit shift_room(const RoomCommand& command, const Session& session) {
     const auto& surface = run.room.surfaces[static_cast<std::size_t>(views[k].surface)];
     const appearance::RoomView view = view_of(run, solution, k);
     run.record["viewing"].push_back(describe(view, run.room, views[k]));
+    tell_white(run, view);
+    const appearance::SwatchCondition swatch = swatch_for(
+        run, views[k].surface, run.room.viewing,
+        seeing(run, [&] { return solver::viewed_light(run.room, run.transport, solution, k); }));
     shifts.push_back({.paint = paint_of(room_file, surface),
                       .surface = surface.name,
                       .reconstructed = surface.reconstructed,
-                      .swatch = seen_on_swatch(surface.reflectance),
+                      .swatch = seen_on_swatch(surface.reflectance, swatch),
                       .room = seen_in_room(view)});
   }
   run.clock.stop("view");

@@ -53,8 +53,9 @@ std::string box_table(const MeasuredBox& box) {
   return fmt::format(
              "A box of 0.30 m built and measured [Lyu2021]: spectral shape of target over lamp, "
              "{:g} to 700 nm,\none scale fitted. The two readings of the target differ by {:.2f} % "
-             "rms. \"mesh\": from patches half as long.\n\n",
-             kShapeFrom_nm, 100 * box.between_readings) +
+             "rms in shape, {:.2f} % as they were read.\n\"mesh\": from patches half as "
+             "long.\n\n",
+             kShapeFrom_nm, 100 * box.between_readings, 100 * box.between_amounts) +
          table("<>>>>>>", rows);
 }
 
@@ -96,10 +97,12 @@ std::string measured_text(const Measured& measured) {
 }
 
 Json describe(const Measured& measured) {
-  Json json{
-      {"box", {{"between_readings_rms", measured.box.between_readings}, {"places", Json::array()}}},
-      {"rooms", Json::array()},
-      {"size_effect_caution", appearance::kSizeEffectCaution}};
+  Json json{{"box",
+             {{"between_readings_rms", measured.box.between_readings},
+              {"between_readings_as_read_rms", measured.box.between_amounts},
+              {"places", Json::array()}}},
+            {"rooms", Json::array()},
+            {"size_effect_caution", appearance::kSizeEffectCaution}};
   for (const BoxPlace& p : measured.box.places) {
     json["box"]["places"].push_back({{"name", p.name},
                                      {"rms", p.with_bounces.rms},

@@ -45,13 +45,17 @@ std::string model_spread_csv(const ModelSpread& spread) {
   return csv.take();
 }
 
-std::string model_spread_text(const ModelSpread& spread, const std::string& what) {
-  if (spread.rows.empty()) return "";
-  const auto [white, background, size] = spread.moves();
+std::string model_spread_text(const ModelSpread& spread, const std::string& what, std::size_t row) {
+  if (row >= spread.rows.size()) return "";
+  const auto [white, background, size, undefined] = spread.moves(row);
   std::string text = fmt::format(
       "\nhow to model the eye: the choice of the white moves {} by up to {:.1f}, of the background "
       "by {:.1f}, of the size effect by {:.1f} ({})",
       what, white, background, size, appearance::kSizeEffectCaution);
+  if (undefined > 0) {
+    text += fmt::format("; CIECAM02 does not define it under {} of {} choices", undefined,
+                        spread.choices.all.size());
+  }
   const std::vector<std::string> best = distinct_winners(spread);
   if (best.size() == 1) text += fmt::format("; {} is best under every choice", best.front());
   if (best.size() > 1) {
@@ -62,10 +66,11 @@ std::string model_spread_text(const ModelSpread& spread, const std::string& what
 }
 
 Json describe(const ModelSpread& spread) {
-  const auto [white, background, size] = spread.moves();
+  const auto [white, background, size, undefined] = spread.moves();
   Json json{{"white", white},
             {"background", background},
             {"size_effect", size},
+            {"undefined", undefined},
             {"size_effect_caution", appearance::kSizeEffectCaution}};
   if (!spread.winners.empty()) json["best_under_some_choice"] = distinct_winners(spread);
   return json;

@@ -3,13 +3,57 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
+#include "appearance/spectra/text/json_reader.h"
 #include "apps/system/terminal.h"
 #include "scenes/files/room_json.h"
 
 namespace apps {
+namespace {
+
+/// The part of the file that the pointer names, or as much of the way there as the file has.
+spectra::JsonNode node_at(spectra::JsonFile& file, std::string_view pointer) {
+  spectra::JsonNode node = file.root();
+  while (!pointer.empty()) {
+    pointer.remove_prefix(1);  // the slash
+    const std::string_view token = pointer.substr(0, pointer.find('/'));
+    pointer.remove_prefix(token.size());
+    std::optional<spectra::JsonNode> next;
+    std::size_t index = 0;
+    if (node.is(spectra::JsonNode::Kind::object)) {
+      next = node.any_object().find(token);
+    } else if (node.is(spectra::JsonNode::Kind::list) &&
+               std::from_chars(token.begin(), token.end(), index).ec == std::errc{}) {
+      const std::vector<spectra::JsonNode> entries = node.list();
+      if (index < entries.size()) next = entries[index];
+    }
+    if (!next) break;
+    node = *next;
+  }
+  return node;
+}
+
+/// Line and column of a fault in the file as it is now; none if it can no longer be read.
+void place(spectra::Fault& fault) {
+  try {
+    spectra::JsonFile file = spectra::read_json_file(fault.file);
+    node_at(file, fault.pointer).fault("", "");
+    file.throw_faults();
+  } catch (const spectra::InputError& error) {
+    fault.line = error.faults().front().line;
+    fault.column = error.faults().front().column;
+  } catch (const spectra::FileError&) {
+    return;
+  }
+}
+
+}  // namespace
+
 void StageClock::stop(const std::string& stage) {
   const auto now = std::chrono::steady_clock::now();
   seconds_[stage] += std::chrono::duration<double>(now - last_).count();
@@ -65,12 +109,14 @@ void prepare(RoomRun& run, const RoomOptions& options, const std::filesystem::pa
 
 spectra::InputError room_fault(const RoomRun& run, const std::string& pointer,
                                const std::string& problem, const std::string& remedy) {
-  return spectra::InputError({{.file = run.path,
-                               .line = 0,
-                               .column = 0,
-                               .pointer = pointer,
-                               .problem = problem,
-                               .remedy = remedy}});
+  spectra::Fault fault{.file = run.path,
+                       .line = 0,
+                       .column = 0,
+                       .pointer = pointer,
+                       .problem = problem,
+                       .remedy = remedy};
+  place(fault);
+  return spectra::InputError({fault});
 }
 
 appearance::RoomView view_of(const RoomRun& run, const solver::RoomSolution& solution,
@@ -116,7 +162,14 @@ RunResult finish(RoomRun& run, bool converged, std::vector<OutputFile> files,
 }
 
 Exit print_result(const RunResult& result, const Session& session) {
-  put(session.json ? result.data.dump(2) + "\n" : result.text);
+  if (!session.json) {
+    put(result.text);
+    return result.exit;
+  }
+  Json data = result.data;
+  const Json room = result.record.value("room", Json::object());
+  if (const Json notes = room.value("notes", Json::array()); !notes.empty()) data["notes"] = notes;
+  put(data.dump(2) + "\n");
   return result.exit;
 }
 

@@ -17,6 +17,11 @@ namespace {
 
 using spectra::Spectrum;
 
+/// Bands from kShapeFrom_nm up: the last of the grid.
+int bands_compared(const spectra::Grid& grid) {
+  return grid.count - static_cast<int>(std::ceil((kShapeFrom_nm - grid.first_nm) / grid.step_nm));
+}
+
 Spectrum reading(const spectra::SpectrumFile& file, const std::string& name) {
   for (const spectra::NamedSpectrum& s : file.set.entries) {
     if (s.name == name) return spectra::light_on(spectra::kTransportGrid, s.samples);
@@ -131,11 +136,10 @@ std::vector<spectra::ViewingChoices> all_choices() {
 
 ShapeError shape_error(const Spectrum& computed, const Spectrum& measured) {
   const spectra::Grid& grid = computed.grid;
-  const int first = static_cast<int>(std::ceil((kShapeFrom_nm - grid.first_nm) / grid.step_nm));
-  if (!(measured.grid == grid) || first < 0 || first >= grid.count) {
+  const int count = bands_compared(grid), first = grid.count - count;
+  if (!(measured.grid == grid) || count <= 0 || first < 0) {
     throw std::invalid_argument("spectral shapes on different grids, or on one that ends too soon");
   }
-  const int count = grid.count - first;
   const Eigen::ArrayXd ratio = computed.values.tail(count) / measured.values.tail(count);
   if (!(ratio.isFinite().all() && (ratio > 0).all())) {
     throw std::invalid_argument("a spectral shape is not above 0");
@@ -157,7 +161,11 @@ MeasuredBox compare_box(const std::string& folder) {
   const Spectrum measured{room.grid, (first.values + second.values) / 2};
   const BoxLight light = light_in_box(room, room.patch_m);
   const BoxLight fine = light_in_box(room, room.patch_m / 2);
-  MeasuredBox box{.places = {}, .between_readings = shape_error(first, second).rms};
+  const int count = bands_compared(room.grid);
+  const Eigen::ArrayXd apart = first.values.tail(count) / second.values.tail(count) - 1;
+  MeasuredBox box{.places = {},
+                  .between_readings = shape_error(first, second).rms,
+                  .between_amounts = std::sqrt(apart.square().mean())};
   for (std::size_t r = 0; r < room.receivers.size(); ++r) {
     box.places.push_back({.name = room.receivers[r].name,
                           .with_bounces = shape_error(light.all[r], measured),

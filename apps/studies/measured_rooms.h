@@ -30,7 +30,8 @@ struct BoxPlace {
 
 struct MeasuredBox {
   std::vector<BoxPlace> places;
-  double between_readings = 0;  ///< rms of the two readings of the target
+  double between_readings = 0;  ///< rms of the two readings of the target, one scale fitted
+  double between_amounts = 0;   ///< rms of first / second - 1, as they were read
 };
 
 /// @param folder  that holds stanford_box.json and its readings

@@ -61,10 +61,12 @@ ModelChoices model_choices(const spectra::ViewingChoices& asked, const WishUnder
   return choices;
 }
 
-ModelSpread::Moves ModelSpread::moves() const {
+ModelSpread::Moves ModelSpread::moves(std::size_t row) const {
   Moves found;
-  if (rows.empty()) return found;
-  const std::vector<paints::ChoiceLook>& looks = rows.front().looks;
+  if (row >= rows.size()) return found;
+  const std::vector<paints::ChoiceLook>& looks = rows[row].looks;
+  found.undefined = static_cast<int>(std::ranges::count_if(
+      looks, [](const auto& look) { return !look.correlates.status.all_defined(); }));
   for (const bool p : {false, true}) {
     for (const bool q : {false, true}) {
       const auto moved = [&](std::size_t from, std::size_t to, double& largest) {
@@ -111,8 +113,9 @@ RankedSpread ranked_spread(const RoomRun& run, const std::vector<const paints::P
     for (const auto& r : ranks) row.ranks.push_back(r[p]);
   }
   for (std::size_t c = 0; c < choices.all.size(); ++c) {
-    const auto best = std::ranges::find_if(spread.told.rows,
-                                           [&](const SpreadRow& row) { return row.ranks[c] == 1; });
+    const auto best = std::ranges::find_if(spread.told.rows, [&](const SpreadRow& row) {
+      return row.ranks[c] == 1 && std::isfinite(row.looks[c].distance);
+    });
     if (best != spread.told.rows.end()) spread.told.winners.push_back(best->name);
   }
   return spread;

@@ -40,12 +40,13 @@ struct ModelSpread {
   std::vector<SpreadRow> rows;       ///< the first matters most; none if no paint is left
   std::vector<std::string> winners;  ///< paint that is best under each choice; empty: none ranked
 
-  /// Largest distance in J, a_C, b_C between two looks of the first row that differ in one choice.
+  /// Largest distance in J, a_C, b_C between two looks of a row that differ in one choice.
   struct Moves {
     double white = 0, background = 0, size = 0;
+    int undefined = 0;  ///< choices by which CIECAM02 does not define the look: left out
   };
 
-  [[nodiscard]] Moves moves() const;
+  [[nodiscard]] Moves moves(std::size_t row = 0) const;
 };
 
 /// A colour in a room, or as it is seen already, under every choice.

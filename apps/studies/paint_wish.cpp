@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "apps/system/terminal.h"
+
 namespace apps {
 namespace {
 
@@ -44,6 +46,19 @@ std::optional<spectra::ViewedLight> light_here(const RoomRun& run, PaintedRoom& 
                                                std::size_t group) {
   if (target_of(run, group).seen != scenes::SwatchPlace::here) return std::nullopt;
   return painted.as_painted(static_cast<int>(group));
+}
+
+appearance::SwatchCondition swatch_of_group(const RoomRun& run, PaintedRoom& painted,
+                                            std::size_t group) {
+  if (!run.room.paint[group].target) return appearance::standard_swatch();
+  return swatch_of(run, target_of(run, group), run.room.viewing, light_here(run, painted, group));
+}
+
+void tell_white(const RoomRun& run, const appearance::RoomView& view) {
+  if (run.room.viewing.white_share == 1 || !view.lamps_by_flux) return;
+  report_notes(
+      {"/view/white: no lamp shines on the viewed point, so the white counts the light of all "
+       "lamps as it enters the room"});
 }
 
 void require_wish(const RoomRun& run, std::size_t group) {

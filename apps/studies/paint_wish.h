@@ -31,6 +31,14 @@ void require_wish(const RoomRun& run, std::size_t group = 0);
                                                              PaintedRoom& painted,
                                                              std::size_t group = 0);
 
+/// The swatch of a group as the room file has it held: the standard one, if it names no target.
+/// @throws spectra::InputError  as swatch_of
+[[nodiscard]] appearance::SwatchCondition swatch_of_group(const RoomRun& run, PaintedRoom& painted,
+                                                          std::size_t group = 0);
+
+/// Says so, where the white counts lamps that do not shine on the viewed point.
+void tell_white(const RoomRun& run, const appearance::RoomView& view);
+
 /// @throws spectra::InputError  unless exactly one group is painted
 void require_one_group(const RoomRun& run);
 

@@ -181,5 +181,99 @@ TEST_F(Choices, ShiftTellsTheSpreadOfEverySurface) {
   }
 }
 
+TEST_F(Choices, TheAtlasIsSeenOnTheSwatchWhereTheTargetIsHeld) {
+  room_["paint"]["target"]["seen"] = "here";
+  ASSERT_EQ(run("atlas", "atlas").exit_code, 0);
+  bool found = false;
+  for (const auto& row : read_table(folder_ / "atlas" / "atlas.csv")) {
+    if (row.at("paint") != room_["paint"]["target"]["paint"]) continue;
+    found = true;  // the walls are painted with it now
+    EXPECT_LT(std::stod(row.at("distance")), 1e-9);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(Choices, HeldBeforeAWallItsSwatchLooksLikeTheWall) {
+  room_["paint"]["target"]["seen"] = "here";
+  ASSERT_EQ(run("shift", "shift").exit_code, 0);
+  for (const auto& row : read_table(folder_ / "shift" / "shift.csv")) {
+    if (row.at("condition") != "change") continue;
+    for (const char* name : {"J", "C", "a_C", "b_C"}) {
+      EXPECT_NEAR(std::stod(row.at(name)), 0, 1e-9) << row.at("surface");
+    }
+  }
+  for (const auto& row : read_table(folder_ / "shift" / "model_spread.csv")) {
+    if (row.at("size_effect") == "off") {
+      EXPECT_LT(std::stod(row.at("distance")), 1e-9) << row.at("choice");
+    }
+  }
+}
+
+// Both panels have one spectrum, so by their flux or by their light on a wall the white is one.
+TEST_F(Choices, ACeilingThatNoLampSeesTakesTheLampsByTheirFluxAndSaysSo) {
+  room_["view"]["white"] = "lamps";
+  ASSERT_EQ(run("rank", "wall").exit_code, 0);
+  room_["view"]["look_at_m"] = {0.6, 0.6, room_["height_m"]};
+  room_["paint"]["surfaces"] = {"ceiling"};
+  room_["surfaces"]["ceiling"] = room_["paint"]["target"];
+  for (const char* command : {"rank", "shift", "atlas", "inverse", "mix --step 50"}) {
+    SCOPED_TRACE(command);
+    const ProgramRun ran = run(command, "ceiling");
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("no lamp shines on the viewed point"));
+    json seen = read_json(folder_ / "ceiling" / "run.json")["viewing"];
+    if (seen.is_array()) seen = seen[0];
+    EXPECT_EQ(seen["surface"], "ceiling");
+    EXPECT_THAT(seen["white_lamps"].get<std::string>(), HasSubstr("no lamp sees"));
+    const json white = read_json(folder_ / "wall" / "run.json")["viewing"]["white_XYZ"];
+    for (const int i : {0, 1, 2}) {
+      EXPECT_NEAR(seen["white_XYZ"][i].get<double>(), white[i].get<double>(), 1e-9);
+    }
+  }
+}
+
+TEST_F(Choices, AFaultThatOnlyTheCommandFindsHasItsLineToo) {
+  room_["paint"]["surfaces"] = {"ceiling"};
+  room_["paint"]["target"]["seen"] = "here";
+  const ProgramRun ran = run("rank", "out");
+  EXPECT_EQ(ran.exit_code, 3);
+  EXPECT_THAT(ran.err, testing::ContainsRegex("room.json:1:[0-9]+: /view: looks at"));
+}
+
+TEST_F(Choices, EveryCommandSaysThatTheSizeEffectIsUnverified) {
+  room_["view"]["size_effect"] = true;
+  for (const char* command :
+       {"rank", "shift", "atlas", "inverse", "mix --step 50", "compare", "solve"}) {
+    SCOPED_TRACE(command);
+    const ProgramRun ran = run(std::string("--json ") + command, "out");
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("unverified constants"));
+    EXPECT_THAT(ran.out, HasSubstr("unverified constants"));
+    EXPECT_THAT(read_text(folder_ / "out" / "run.json"), HasSubstr("unverified constants"));
+  }
+}
+
+class ChoicesOfSamples : public testing::TestWithParam<const char*> {};
+
+TEST_P(ChoicesOfSamples, ShareOneIsTheDefaultBitForBit) {
+  const TemporaryFolder folder;
+  json room = read_json(std::string(SOURCE_DIR "/scenes/rooms/") + GetParam() + ".json");
+  room["patch_m"] = 3 * room["patch_m"].get<double>();
+  const auto shift = [&](const std::string& name) {
+    write_text(folder / (name + ".json"), room.dump());
+    const ProgramRun ran = roomhue("shift " + (folder / (name + ".json")).string() + " --out " +
+                                   (folder / name).string());
+    EXPECT_TRUE(ran.exit_code == 0 || ran.exit_code == 5) << ran.err;
+    return read_text(folder / name / "shift.csv") + read_text(folder / name / "model_spread.csv");
+  };
+  const std::string as_it_is = shift("default");
+  room["view"]["white"] = {{"share", 1}};
+  EXPECT_EQ(shift("one"), as_it_is);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rooms, ChoicesOfSamples,
+                         testing::Values("box", "corridor", "daylight", "l_room", "living_room",
+                                         "office", "tungsten", "two_rooms"));
+
 }  // namespace
 }  // namespace apps::test
