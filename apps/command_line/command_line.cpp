@@ -176,7 +176,7 @@ void add_options(CLI::App& command, MixOptions& options) {
 
 void add_out(CLI::App& command, std::string& out,
              const std::string& what = "folder for the results") {
-  command.add_option("--out", out, what)->required();
+  command.add_option("--out", out, what)->required()->check(kNamed);
 }
 
 /// A subcommand with its help; once it is parsed, `line.job` calls `run` with what was given.

@@ -22,6 +22,10 @@ inline const CLI::Validator kNotNegative(
     },
     "FROM 0");
 
+inline const CLI::Validator kNamed(
+    [](const std::string& text) { return text.empty() ? "a path that is empty" : std::string(); },
+    "PATH");
+
 /// 0 to below 1, as a share of light.
 inline const CLI::Validator kShare(
     [](const std::string& text) {

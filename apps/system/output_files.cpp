@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <mutex>
@@ -129,10 +131,31 @@ struct Staged {
   fs::path temporary, target;
 };
 
+/// Removes what a killed run left: temporaries of this target, a minute old, whose process is gone.
+void clear_leftovers(const fs::path& target) {
+  constexpr auto kQuiet = std::chrono::minutes(1);
+  const std::string before = "." + target.filename().string() + ".", after = ".tmp";
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(target), ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(before) || !name.ends_with(after)) continue;
+    const std::string number =
+        name.substr(before.size(), name.size() - before.size() - after.size());
+    int process = 0;
+    const auto [end, error] =
+        std::from_chars(number.data(), number.data() + number.size(), process);
+    if (error != std::errc() || end != number.data() + number.size() || process <= 0) continue;
+    const bool gone = ::kill(process, 0) != 0 && errno == ESRCH;
+    const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ignored);
+    if (gone && age > kQuiet) fs::remove(entry.path(), ignored);
+  }
+}
+
 /// Makes missing folders and the temporary, empty and beside its target.
 Staged stage(const fs::path& path, Unfinished& unfinished) {
   make_folders(folder_of(path), unfinished);
   const fs::path target = target_of(path);
+  clear_leftovers(target);
   const fs::path temporary =
       folder_of(target) / fmt::format(".{}.{}.tmp", target.filename().string(), ::getpid());
   unfinished.add(temporary);

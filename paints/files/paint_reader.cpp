@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 
+#include "appearance/spectra/text/input_bytes.h"
 #include "paints/files/format_readers.h"
 #include "paints/files/source_text.h"
 
@@ -69,18 +69,7 @@ PaintSource paint_source(const std::string& path_and_choices) {
 
 PaintFile read_paint_file(const std::string& path_and_choices) {
   const auto [path, choices] = paint_source(path_and_choices);
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes, block(std::size_t{1} << 16, '\0');
-  while (file && bytes.size() <= kMaxBytes) {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    bytes.append(block, 0, static_cast<std::size_t>(file.gcount()));
-  }
-  if (!file.is_open() || file.bad()) {
-    throw spectra::FileError(fmt::format("{}: cannot be read", path));
-  }
-  if (bytes.size() > kMaxBytes) {
-    throw spectra::InputError({{path, 0, 0, "", "larger than 256 MiB", "split the file"}});
-  }
+  std::string bytes = spectra::read_input(path, kMaxBytes, "split the file");
   return parse_paint_file(path, std::move(bytes), choices);
 }
 

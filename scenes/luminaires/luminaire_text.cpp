@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <tuple>
 #include <utility>
 
+#include "appearance/spectra/text/input_bytes.h"
 #include "appearance/spectra/text/utf8.h"
 
 namespace scenes {
@@ -81,20 +81,7 @@ std::optional<Token> TokenStream::next() {
 }
 
 LuminaireText read_luminaire_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw spectra::FileError(fmt::format("{}: cannot be opened", path));
-  std::string bytes;
-  std::string block(std::size_t{1} << 16, '\0');
-  while (file && bytes.size() <= kMostBytes) {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    bytes.append(block, 0, static_cast<std::size_t>(file.gcount()));
-  }
-  if (file.bad() || (bytes.empty() && !file.eof())) {
-    throw spectra::FileError(fmt::format("{}: cannot be read", path));
-  }
-  if (bytes.size() > kMostBytes) {
-    throw spectra::InputError({{path, 0, 0, "", "larger than 128 MiB", "this is no lamp"}});
-  }
+  std::string bytes = spectra::read_input(path, kMostBytes, "this is no lamp");
   if (bytes.find_first_not_of(" \t\r\n\x1A") == bytes.npos) {
     throw spectra::InputError({{path, 0, 0, "", "the file is empty", "give an IES or LDT file"}});
   }

@@ -4,34 +4,19 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string_view>
 
+#include "appearance/spectra/text/input_bytes.h"
 #include "appearance/spectra/text/input_error.h"
 
 namespace scenes {
 namespace {
 
 constexpr std::size_t kMostFaults = 100, kMostCorners = 5'000'000, kMostCornersOfFace = 1000;
-constexpr std::uintmax_t kMostBytes = 512ULL << 20U;
+constexpr std::size_t kMostBytes = 512ULL << 20U;
 constexpr double kMostPlace = 1e6;
-
-std::string bytes_of(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::is_regular_file(status)) {
-    throw spectra::FileError(path + " is no file that can be read");
-  }
-  if (std::filesystem::file_size(path, error) > kMostBytes || error) {
-    throw spectra::FileError(path + " is larger than 512 MiB");
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw spectra::FileError("cannot read " + path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 template <typename Number>
 std::optional<Number> number(std::string_view text) {
@@ -44,7 +29,9 @@ std::optional<Number> number(std::string_view text) {
 
 class ObjReader {
  public:
-  explicit ObjReader(std::string path) : path_(std::move(path)), text_(bytes_of(path_)) {}
+  explicit ObjReader(std::string path)
+      : path_(std::move(path)),
+        text_(spectra::read_input(path_, kMostBytes, "simplify the model")) {}
 
   ObjFile read() {
     std::size_t at = 0;

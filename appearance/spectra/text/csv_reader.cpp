@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <utility>
 
+#include "appearance/spectra/text/input_bytes.h"
 #include "appearance/spectra/text/utf8.h"
 
 namespace spectra {
@@ -172,16 +172,7 @@ class Parser {
 }  // namespace
 
 CsvTable read_csv(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text, block(std::size_t{1} << 16, '\0');
-  while (file && text.size() <= kMaxBytes) {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    text.append(block, 0, static_cast<std::size_t>(file.gcount()));
-  }
-  if (!file.is_open() || file.bad()) throw FileError(fmt::format("{}: cannot be read", path));
-  if (text.size() > kMaxBytes) {
-    throw InputError({{path, 0, 0, "", "larger than 256 MiB", "split the file"}});
-  }
+  const std::string text = read_input(path, kMaxBytes, "split the file");
   return parse_csv(path, text);
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 
+#include "appearance/spectra/text/input_bytes.h"
 #include "appearance/spectra/text/json_parser.h"
 
 namespace spectra {
@@ -312,20 +312,8 @@ void JsonFile::throw_faults() const {
 }
 
 JsonFile read_json_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw FileError(fmt::format("{}: cannot be opened", path));
-  std::string text;
-  std::array<char, 1 << 16> chunk;
-  while (in && text.size() <= kMostBytes) {
-    in.read(chunk.data(), chunk.size());
-    text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
-  }
-  if (in.bad()) throw FileError(fmt::format("{}: cannot be read", path));
-  if (text.size() > kMostBytes) {
-    throw InputError({{.file = path,
-                       .problem = fmt::format("the file is larger than {} MiB", kMostBytes >> 20),
-                       .remedy = "is it a room file? Keep long spectra in CSV files"}});
-  }
+  std::string text =
+      read_input(path, kMostBytes, "is it a room file? Keep long spectra in CSV files");
   return {path, std::move(text)};
 }
 

@@ -77,6 +77,24 @@ TEST(WriteFiles, RefusesADevice) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST(WriteFiles, ClearWhatAKilledRunLeft) {
+  const TemporaryFolder folder;
+  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  const int gone = 2'000'000'000;  // no process has such a number
+  const auto temporary = [&](const std::string& target, int process, bool is_old) {
+    const fs::path path = folder / ("." + target + "." + std::to_string(process) + ".tmp");
+    test::write_text(path, "half");
+    if (is_old) fs::last_write_time(path, old);
+    return path;
+  };
+  const fs::path left = temporary("a.csv", gone, true), young = temporary("a.csv", gone - 1, false),
+                 alive = temporary("a.csv", ::getppid(), true),
+                 other = temporary("b.csv", gone, true);
+  write_files({{.path = folder / "a.csv", .text = "whole"}});
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_TRUE(fs::exists(young) && fs::exists(alive) && fs::exists(other));
+}
+
 TEST(RequireWritable, RefusesAFileInPlaceOfAFolder) {
   const TemporaryFolder folder;
   test::write_text(folder / "file", "");

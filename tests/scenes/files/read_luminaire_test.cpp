@@ -55,7 +55,7 @@ TEST(ReadLuminaire, FaultsOfTheFileAndOfTheRoomAreToldTogether) {
   EXPECT_THAT(faults, HasSubstr("bad.ies:8:5: negative intensity -2"));
   EXPECT_THAT(faults, HasSubstr("/lights/2/luminaire/file"));
   EXPECT_THAT(faults_in(room_with_luminaire({{"file", "none.ies"}})),
-              HasSubstr("cannot be opened"));
+              HasSubstr("no such file"));
 }
 
 TEST(ReadLuminaire, WhatCannotBeMeantIsRefused) {
