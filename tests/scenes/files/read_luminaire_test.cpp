@@ -54,8 +54,7 @@ TEST(ReadLuminaire, FaultsOfTheFileAndOfTheRoomAreToldTogether) {
   const std::string faults = faults_in(room_with_luminaire({{"file", "bad.ies"}}));
   EXPECT_THAT(faults, HasSubstr("bad.ies:8:5: negative intensity -2"));
   EXPECT_THAT(faults, HasSubstr("/lights/2/luminaire/file"));
-  EXPECT_THAT(faults_in(room_with_luminaire({{"file", "none.ies"}})),
-              HasSubstr("no such file"));
+  EXPECT_THAT(faults_in(room_with_luminaire({{"file", "none.ies"}})), HasSubstr("no such file"));
 }
 
 TEST(ReadLuminaire, WhatCannotBeMeantIsRefused) {
