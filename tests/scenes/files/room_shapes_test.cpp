@@ -327,7 +327,8 @@ TEST(RoomShapes, BadFacesAreRefused) {
   both["plan_m"] = {{0, 0}, {4, 0}, {4, 3}};
   no_outline["openings"][0] = {
       {"name", "rooflight"}, {"on", "ceiling"}, {"center_m", {1, 1}}, {"size_m", {1, 1}}};
-  body["furniture"] = {{{"name", "box"}, {"box_m", {{"min", {3, 1, 0}}, {"max", {4.5, 2, 1}}}}}};
+  body["furniture"].push_back(
+      {{"name", "box"}, {"box_m", {{"min", {3, 1, 0}}, {"max", {4.5, 2, 1}}}}});
   body["surfaces"]["box"] = 0.5;
   const auto faults = faults_of([&] { (void)read(open); });
   EXPECT_EQ(faults.size(), 4U);  // its four edges

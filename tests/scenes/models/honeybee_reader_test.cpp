@@ -53,7 +53,7 @@ json sample_model() {
   json window = face("window", "Wall", {{1, 0, 1}, {3, 0, 1}, {3, 0, 2}, {1, 0, 2}});
   window["type"] = "Aperture";
   window.erase("face_type");
-  model["rooms"][0]["faces"][2]["apertures"] = {window};
+  model["rooms"][0]["faces"][2]["apertures"].push_back(window);
   return model;
 }
 
@@ -106,10 +106,10 @@ TEST(Honeybee, TheNearestModifierHolds) {
   json model = sample_model();
   json& radiance = model["properties"]["radiance"];
   radiance["modifiers"] = {plastic("own", 0.31, 0), plastic("of room", 0.41, 0.1)};
-  radiance["modifier_sets"] = {
+  radiance["modifier_sets"].push_back(
       {{"type", "ModifierSetAbridged"},
        {"identifier", "room set"},
-       {"wall_set", {{"interior_modifier", nullptr}, {"exterior_modifier", "of room"}}}}};
+       {"wall_set", {{"interior_modifier", nullptr}, {"exterior_modifier", "of room"}}}});
   radiance["global_modifier_set"] = {
       {"type", "ModifierSet"},
       {"identifier", "global"},
@@ -128,11 +128,11 @@ TEST(Honeybee, TheNearestModifierHolds) {
 TEST(Honeybee, TransmissivityIsNotTransmittance) {
   json model = sample_model();
   json& radiance = model["properties"]["radiance"];
-  radiance["modifiers"] = {{{"type", "Glass"},
-                            {"identifier", "pane"},
-                            {"r_transmissivity", 0.9584154328610596},
-                            {"g_transmissivity", 0.9584154328610596},
-                            {"b_transmissivity", 0.9584154328610596}}};
+  radiance["modifiers"].push_back({{"type", "Glass"},
+                                   {"identifier", "pane"},
+                                   {"r_transmissivity", 0.9584154328610596},
+                                   {"g_transmissivity", 0.9584154328610596},
+                                   {"b_transmissivity", 0.9584154328610596}});
   model["rooms"][0]["faces"][2]["apertures"][0]["properties"]["radiance"]["modifier"] = "pane";
   const RoomDraft draft = draft_room(model_of(model), {"a"});
   EXPECT_NEAR(draft.openings.at(0).finish.transmittance, 0.88, 1e-6);
@@ -164,10 +164,10 @@ TEST(Honeybee, RoomsJoinThroughGlass) {
     part["type"] = "Aperture";
     return part;
   };
-  model["rooms"][0]["faces"][3]["apertures"] = {
-      door("b", {{4, 1, 0.5}, {4, 2, 0.5}, {4, 2, 2}, {4, 1, 2}})};
-  model["rooms"][1]["faces"][5]["apertures"] = {
-      door("a", {{4, 2, 0.5}, {4, 1, 0.5}, {4, 1, 2}, {4, 2, 2}})};
+  model["rooms"][0]["faces"][3]["apertures"].push_back(
+      door("b", {{4, 1, 0.5}, {4, 2, 0.5}, {4, 2, 2}, {4, 1, 2}}));
+  model["rooms"][1]["faces"][5]["apertures"].push_back(
+      door("a", {{4, 2, 0.5}, {4, 1, 0.5}, {4, 1, 2}, {4, 2, 2}}));
   const BuildingModel house = model_of(model);
   const RoomDraft draft = draft_room(house, {"a", "b"});
   std::vector<ShellFace> shell = shell_of(draft);
@@ -179,7 +179,8 @@ TEST(Honeybee, RoomsJoinThroughGlass) {
 TEST(Honeybee, WindowsOfAnyShapeBecomeConvexPieces) {
   json model = sample_model();
   json& window = model["rooms"][0]["faces"][2]["apertures"][0];
-  window["geometry"]["holes"] = {{{1.5, 0, 1.2}, {2.5, 0, 1.2}, {2.5, 0, 1.8}, {1.5, 0, 1.8}}};
+  window["geometry"]["holes"].push_back(
+      {{1.5, 0, 1.2}, {2.5, 0, 1.2}, {2.5, 0, 1.8}, {1.5, 0, 1.8}});
   window["geometry"]["boundary"] = {{1, 0, 1}, {4.5, 0, 1}, {4.5, 0, 2}, {1, 0, 2}};
   const RoomDraft draft = draft_room(model_of(model), {"a"});
   double area_m2 = 0;
