@@ -20,6 +20,7 @@ constexpr double kKey = 260;  ///< width of the key on the right
 struct Point {
   std::string choice, name;
   double a_c = 0, b_c = 0;
+  bool defined = true;  ///< else CIECAM02 says nothing of it, and it has no place
 };
 
 std::vector<Point> points_of(const ModelSpread& spread) {
@@ -30,8 +31,11 @@ std::vector<Point> points_of(const ModelSpread& spread) {
       if (!r.ranks.empty() && r.ranks[c] == 1) row = &r;
     }
     const appearance::Correlates& k = row->looks[c].correlates;
-    points.push_back(
-        {.choice = spread.choices.all[c].name, .name = row->name, .a_c = k.a_c, .b_c = k.b_c});
+    points.push_back({.choice = spread.choices.all[c].name,
+                      .name = row->name,
+                      .a_c = k.a_c,
+                      .b_c = k.b_c,
+                      .defined = k.status.all_defined()});
   }
   return points;
 }
@@ -41,8 +45,11 @@ struct Window {
   double a = 0, b = 0, reach = 1;  ///< centre and half side
 
   explicit Window(const std::vector<Point>& points) {
-    double least_a = points[0].a_c, most_a = least_a, least_b = points[0].b_c, most_b = least_b;
+    const auto first = std::ranges::find_if(points, &Point::defined);
+    if (first == points.end()) return;
+    double least_a = first->a_c, most_a = least_a, least_b = first->b_c, most_b = least_b;
     for (const Point& p : points) {
+      if (!p.defined) continue;
       least_a = std::min(least_a, p.a_c), most_a = std::max(most_a, p.a_c);
       least_b = std::min(least_b, p.b_c), most_b = std::max(most_b, p.b_c);
     }
@@ -83,6 +90,29 @@ std::string axes(const Window& window) {
                    kHeight / 2, kHeight - 20);
 }
 
+/// Looks that differ in the background alone nearly coincide, mostly with the larger chroma for
+/// Y_b 20: its number stands outwards.
+std::string mark(const Window& window, const Point& point, std::size_t number, bool asked,
+                 bool outwards) {
+  const Eigen::Vector2d at = window.at(point.a_c, point.b_c);
+  const Eigen::Vector2d radial = Eigen::Vector2d(point.a_c, -point.b_c).normalized();
+  const Eigen::Vector2d label = at + (outwards ? 14 : -14) * radial;
+  return fmt::format(
+      "<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}' stroke='#333'/>"
+      "<text x='{:.1f}' y='{:.1f}' text-anchor='middle'>{}</text>\n",
+      at.x(), at.y(), asked ? "#333" : "#fff", label.x(), label.y() + 5, number);
+}
+
+std::string key(const Point& point, std::size_t number, bool asked) {
+  const double top = kMargin + 40.0 * static_cast<double>(number - 1);
+  return fmt::format(
+      "<text x='{0:g}' y='{1:g}' class='tick'{2}>{3}: {4}</text>\n"
+      "<text x='{0:g}' y='{5:g}' class='tick'>{6}{7}</text>\n",
+      kWidth - kKey, top + 10, asked ? " font-weight='bold'" : "", number,
+      svg_escaped(point.choice), top + 25, svg_escaped(point.name),
+      point.defined ? "" : ", not defined by CIECAM02");
+}
+
 }  // namespace
 
 std::string model_spread_picture(const std::string& title, const ModelSpread& spread) {
@@ -91,19 +121,19 @@ std::string model_spread_picture(const std::string& title, const ModelSpread& sp
   std::string svg = svg_head(kWidth, kHeight);
   svg += fmt::format("<text x='{:g}' y='30' text-anchor='middle' font-size='18'>{}</text>\n",
                      kWidth / 2, svg_escaped(title));
+  svg += fmt::format(
+      "<text x='{:g}' y='52' text-anchor='middle' class='tick'>{} under each choice of how the eye "
+      "is modelled</text>\n",
+      kWidth / 2,
+      spread.winners.empty() ? svg_escaped(spread.rows.front().name) : "the best paint");
   svg += axes(window);
   for (std::size_t c = 0; c < points.size(); ++c) {
-    const Eigen::Vector2d at = window.at(points[c].a_c, points[c].b_c);
     const bool asked = c == spread.choices.asked;
-    svg += fmt::format(
-        "<circle cx='{0:.1f}' cy='{1:.1f}' r='4' fill='{2}' stroke='#333'/>"
-        "<text x='{3:.1f}' y='{4:.1f}'>{5}</text>\n"
-        "<text x='{6:g}' y='{7:g}' class='tick'{8}>{5}: {9}</text>\n"
-        "<text x='{6:g}' y='{10:g}' class='tick'>{11}</text>\n",
-        at.x(), at.y(), asked ? "#333" : "#fff", at.x() + 6, at.y() - 4, c + 1, kWidth - kKey,
-        kMargin + 40.0 * static_cast<double>(c) + 10, asked ? " font-weight='bold'" : "",
-        svg_escaped(points[c].choice), kMargin + 40.0 * static_cast<double>(c) + 25,
-        svg_escaped(points[c].name));
+    if (points[c].defined) {
+      const auto background = spread.choices.all[c].viewing.background;
+      svg += mark(window, points[c], c + 1, asked, background == spectra::Background::fixed);
+    }
+    svg += key(points[c], c + 1, asked);
   }
   svg += fmt::format("<text x='{:g}' y='{:g}' class='tick'>size: {}; bold: as asked</text>\n",
                      kWidth - kKey, kHeight - kMargin, appearance::kSizeEffectCaution);

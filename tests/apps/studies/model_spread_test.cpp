@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "apps/pictures/model_spread_picture.h"
 #include "apps/reports/model_spread_report.h"
 
 namespace apps {
@@ -44,6 +45,16 @@ TEST(ModelSpread, SaysWhereTheModelSaysNothing) {
   EXPECT_EQ(partly.moves().undefined, 1);
   EXPECT_THAT(model_spread_text(partly, "it"), HasSubstr("not define it under 1 of 8 choices"));
   EXPECT_THAT(model_spread_text(spread(), "it"), Not(HasSubstr("not define")));
+  const auto marks = [](const ModelSpread& told) {
+    const std::string svg = model_spread_picture("room", told);
+    int count = 0;
+    for (auto at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(marks(spread()), 8);
+  EXPECT_EQ(marks(partly), 7);
 }
 
 TEST(ModelSpread, TellsInWordsWhatMovesAndWhatIsBest) {
