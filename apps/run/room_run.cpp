@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "appearance/size_effect.h"
 #include "appearance/spectra/text/json_reader.h"
 #include "apps/system/terminal.h"
 #include "scenes/files/room_json.h"
@@ -50,6 +51,23 @@ void place(spectra::Fault& fault) {
   } catch (const spectra::FileError&) {
     return;
   }
+}
+
+/// A last column for tables of looks that rest on constants which could not be verified.
+void add_caution(OutputFile& file) {
+  const std::string end = "\r\n";
+  const std::string header = file.text.substr(0, file.text.find(end));
+  const auto has = [&](const char* column) { return header.find(column) != header.npos; };
+  const bool of_looks = file.path.extension() == ".csv" && (has(",J") || has(",distance"));
+  if (!of_looks || has("caution")) return;
+  std::string marked;
+  for (std::size_t at = 0; at < file.text.size();) {
+    const std::size_t stop = file.text.find(end, at);
+    marked += file.text.substr(at, stop - at) + "," +
+              (at == 0 ? "caution" : appearance::kSizeEffectCaution) + end;
+    at = stop == file.text.npos ? file.text.size() : stop + end.size();
+  }
+  file.text = std::move(marked);
 }
 
 }  // namespace
@@ -149,6 +167,7 @@ RunResult finish(RoomRun& run, bool converged, std::vector<OutputFile> files,
   record["peak_memory_bytes"] = peak_memory_bytes();
   record["outputs"] = Json::array();
   for (const OutputFile& file : files) record["outputs"].push_back(file.path.filename().string());
+  if (run.room.viewing.size_effect) std::ranges::for_each(files, add_caution);
   files.push_back(run_json(out, record));
   write_files(files);
   report_written(files);

@@ -250,6 +250,15 @@ TEST_F(Choices, EveryCommandSaysThatTheSizeEffectIsUnverified) {
     EXPECT_THAT(ran.err, HasSubstr("unverified constants"));
     EXPECT_THAT(ran.out, HasSubstr("unverified constants"));
     EXPECT_THAT(read_text(folder_ / "out" / "run.json"), HasSubstr("unverified constants"));
+    for (const char* name : {"ranking.csv", "shift.csv", "atlas.csv", "orders.csv", "recipes.csv",
+                             "appearance.csv", "compare.csv"}) {
+      const fs::path path = folder_ / "out" / name;
+      if (!fs::exists(path)) continue;
+      for (const auto& row : read_table(path)) {
+        EXPECT_EQ(row.at("caution"), "unverified constants") << name;
+      }
+      fs::remove(path);
+    }
   }
 }
 
