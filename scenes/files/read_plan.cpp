@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kDefaultPatch_m = 0.25;
 constexpr Limits kPitch_deg{.least = -85, .most = 85};
+constexpr std::size_t kMostPlanes = 50;
 constexpr double kFlat_m = 1e-6;  ///< how far heights may lie off their plane
 
 }  // namespace
@@ -155,7 +156,7 @@ void RoomReader::read_ceiling(const JsonNode& node, std::vector<RoofPlane>& plan
   }
   if (heights) read_heights(*heights, planes);
   if (!list) return;
-  for (const JsonNode& entry : list->list(1)) {
+  for (const JsonNode& entry : list->list(1, kMostPlanes)) {
     planes.push_back(read_roof_plane(entry));
   }
 }

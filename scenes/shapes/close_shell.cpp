@@ -238,6 +238,16 @@ class Shell {
 }  // namespace
 
 std::vector<ShellFault> close_shell(std::vector<ShellFace>& faces, bool several) {
+  std::size_t corners = 0;
+  for (const ShellFace& face : faces) {
+    corners += face.outline.size();
+    for (const Outline& hole : face.holes) corners += hole.size();
+  }
+  if (corners > kMostShellCorners) {
+    return {{.face = 0,
+             .problem = fmt::format("the faces have {} corners", corners),
+             .remedy = fmt::format("simplify them to {} at most", kMostShellCorners)}};
+  }
   std::vector<ShellFault> faults;
   Shell shell(faces);
   const int shells = shell.orient();

@@ -9,6 +9,9 @@ namespace scenes {
 /// Corners nearer than this are one; faces are plane to it.
 inline constexpr double kWeld_m = 1e-6;
 
+/// All faces together have at most so many: the work grows with the square.
+inline constexpr std::size_t kMostShellCorners = 40'000;
+
 /// What is wrong with a face of a shell.
 struct ShellFault {
   std::size_t face = 0;

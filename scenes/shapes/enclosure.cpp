@@ -22,6 +22,12 @@ Eigen::AlignedBox3d bounds(const ConvexPart& part) {
   return box;
 }
 
+Eigen::AlignedBox3d bounds(const Body& body) {
+  Eigen::AlignedBox3d box;
+  for (const ConvexPart& part : body.parts) box.extend(bounds(part));
+  return box;
+}
+
 const Vector3d& corner(const ConvexPart& part, int index) {
   return part.corners[static_cast<std::size_t>(index)];
 }
@@ -247,6 +253,7 @@ Vector3d middle_of(const Body& body) {
 }
 
 bool overlap(const Body& a, const Body& b) {
+  if (!bounds(a).intersects(bounds(b))) return false;
   if (distance_m(a, middle_of(b)) < -kTouch_m || distance_m(b, middle_of(a)) < -kTouch_m) {
     return true;
   }

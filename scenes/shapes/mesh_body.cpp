@@ -241,12 +241,14 @@ MeshBody mesh_body(std::string name, const std::vector<MeshPolygon>& polygons, b
   Body& body = result.body;
   body.name = std::move(name);
   body.two_sided = two_sided;
-  std::vector<ShellFace> faces = Cleaning(result).faces(polygons);
-  if (faces.size() > 10 * kMostMeshFaces) {
-    result.faults.push_back(fmt::format("the mesh has {} faces; give at most {} plane ones",
-                                        faces.size(), kMostMeshFaces));
+  constexpr std::size_t kMostGiven = 5 * kMostMeshFaces;  // before faces in one plane are joined
+  if (polygons.size() > kMostGiven) {
+    result.faults.push_back(
+        fmt::format("the mesh has {} faces; simplify it to {}, or to {} that are not in one plane",
+                    polygons.size(), kMostGiven, kMostMeshFaces));
     return result;
   }
+  std::vector<ShellFace> faces = Cleaning(result).faces(polygons);
   if (two_sided) {
     for (const auto& [f, g] : crossing_faces(faces)) {
       result.faults.push_back("the faces from " + place_of(faces[f].outline) + " and " +
