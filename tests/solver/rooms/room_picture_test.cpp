@@ -81,7 +81,7 @@ TEST(RoomPicture, LampWhiteWallAndBlackBodyHaveTheirRadiance) {
   surface(room, "north").reflectance.values.setConstant(0.8);
   const int panel = scenes::find_surface(room, "panel");
   const ArrayXd exitance = room.surfaces[static_cast<std::size_t>(panel)].exitance.values;
-  const std::vector<Vector3d> lamp = scenes::rectangle_of(room, panel);
+  const std::vector<Vector3d> lamp = room.panels.front().outline;
   const Taken taken(std::move(room), {2.5, 0.5, 0.5}, {2.5, 4, 2.2});
   const PictureRows rows = taken.picture.rows(0, kHeight);
   int lamps = 0, walls = 0, blacks = 0;
