@@ -8,6 +8,7 @@
 #include "appearance/spectra/photometry.h"
 #include "appearance/spectra/text/json_reader.h"
 #include "apps/commands/commands.h"
+#include "apps/pictures/false_colour.h"
 #include "apps/pictures/room_image.h"
 #include "apps/run/room_run.h"
 #include "apps/studies/repaint.h"
@@ -19,7 +20,7 @@ namespace apps {
 namespace {
 
 constexpr double kFieldOfView_deg = 60;
-constexpr int kCheckedPixels = 512;
+constexpr int kCheckedPixels = 512, kDraftChecks = 64, kDraftWidth = 320;
 constexpr solver::PictureOptions kDraft{.tolerance = 0.1, .coarse_m = 2, .coarse_pixels = 24};
 
 Json to_json(const PictureCommand& command) {
@@ -127,9 +128,19 @@ Json left_out(const scenes::Room& room) {
   return list;
 }
 
+/// A draft is small, whatever is asked for.
+PictureCommand sized(PictureCommand command) {
+  if (command.draft && command.width > kDraftWidth) {
+    command.height = std::max(1, command.height * kDraftWidth / command.width);
+    command.width = kDraftWidth;
+  }
+  return command;
+}
+
 }  // namespace
 
-Exit take_pictures(const PictureCommand& command, const Session& session) {
+Exit take_pictures(const PictureCommand& asked, const Session& session) {
+  const PictureCommand command = sized(asked);
   const std::filesystem::path out = command.out;
   RoomRun run = open_room(command.room, "picture", to_json(command), session);
   require_memory(command, run.room);
@@ -148,7 +159,7 @@ Exit take_pictures(const PictureCommand& command, const Session& session) {
   const solver::Camera camera(viewed.eye_m, viewed.point_m, fov_deg, command.width, command.height);
   const solver::RoomPicture picture(run.room, run.transport, solution, camera, options);
   run.clock.stop("reflected light");
-  const solver::PictureCheck check = picture.check(kCheckedPixels);
+  const solver::PictureCheck check = picture.check(command.draft ? kDraftChecks : kCheckedPixels);
   run.clock.stop("check");
   const int threads = thread_count(session);
   SpectralExr exr({.width = command.width,
@@ -175,6 +186,16 @@ Exit take_pictures(const PictureCommand& command, const Session& session) {
   std::vector<OutputFile> files{{.path = out / "room.exr", .text = exr.file()},
                                 {.path = out / "photograph.png", .text = png_file(photo.png)},
                                 {.path = out / "seen.png", .text = png_file(seen.png)}};
+  const std::vector<std::pair<std::string, std::string>> told = provenance(run, check);
+  const auto add_map = [&](const Quantity& quantity, const Eigen::ArrayXf& values) {
+    const std::string name = quantity.name;
+    files.push_back({.path = out / (name + ".png"),
+                     .text = png_file(false_colours(image.width, image.height, values, quantity))});
+    files.push_back({.path = out / (name + ".exr"),
+                     .text = scalar_exr(image.width, image.height, values, told)});
+  };
+  add_map({.name = "luminance", .unit = "cd/m2"}, image.xyz.col(1));
+  add_map({.name = "illuminance", .unit = "lx"}, image.illuminance_lx);
   run.clock.stop("files");
   RunResult result = finish(run, solution.radiosity.converged, std::move(files), out);
   result.data = {{"status", result.record["status"]},

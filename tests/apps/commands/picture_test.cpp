@@ -148,13 +148,22 @@ TEST(PictureCommand, PngSaysWhatItsColoursAre) {
   EXPECT_EQ(png.chunks.at("cHRM").size(), 32U);
 }
 
+TEST(PictureCommand, LuminanceIsThatOfTheSpectra) {
+  const Exr exr(office() / "room.exr"), luminance(office() / "luminance.exr");
+  for (std::size_t p = 0; p < kWidth * kHeight; p += 7) {
+    const double y = xyz_of(exr, p).y;
+    EXPECT_NEAR(luminance.at("Y", p), y, 1e-5 * y);
+  }
+}
+
 TEST(PictureCommand, ThreadsChangeNoBit) {
   const TemporaryFolder folder;
   const ProgramRun run = roomhue(
       "picture scenes/rooms/office.json --view door --size 48x36 --bits 16 --threads 2 --out " +
       folder.path().string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  for (const char* name : {"room.exr", "photograph.png", "seen.png"}) {
+  for (const char* name :
+       {"room.exr", "photograph.png", "seen.png", "illuminance.png", "luminance.exr"}) {
     EXPECT_TRUE(read_text(folder / name) == read_text(office() / name)) << name;
   }
 }
