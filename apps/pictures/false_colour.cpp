@@ -98,16 +98,26 @@ PngPicture false_colours(int width, int height, const Eigen::ArrayXf& values,
   fill(png, width, 0, legend, height, kPaper);
   const auto value = [&](int x, int y) { return values[Eigen::Index{y} * width + x]; };
   const auto step_of = [&](double v) { return std::ranges::upper_bound(ticks, v) - ticks.begin(); };
-  const auto line_between = [&](double a,
-                                double b) {  // the edge of a thing is no line of its light
-    return step_of(a) != step_of(b) && std::max(a, b) < kEdge * std::min(a, b);
+  // Whether two pixels show different things; the edge of a thing is no line of its light.
+  const auto edge_between = [&](double a, double b) {
+    return std::max(a, b) > kEdge * std::min(a, b);
+  };
+  const auto on_line = [&](int x, int y) {
+    const double v = value(x, y);
+    bool line = false, edge = false;
+    for (const auto& [dx, dy] :
+         {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0), std::pair(0, -1)}) {
+      if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= height) continue;
+      const double other = value(x + dx, y + dy);
+      edge = edge || edge_between(v, other);
+      line = line || (dx + dy > 0 && step_of(v) != step_of(other));
+    }
+    return line && !edge;
   };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const double v = value(x, y), at = v > 0 ? (std::log(v) - low) / span : 0;
-      const bool on_line = (x + 1 < width && line_between(v, value(x + 1, y))) ||
-                           (y + 1 < height && line_between(v, value(x, y + 1)));
-      fill(png, x, y, 1, 1, on_line ? (at > 0.6 ? kInk : kPaper) : viridis(at));
+      fill(png, x, y, 1, 1, on_line(x, y) ? (at > 0.6 ? kInk : kPaper) : viridis(at));
     }
   }
   draw_legend(png, width, ticks, quantity);
