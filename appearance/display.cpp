@@ -127,18 +127,25 @@ double Display::largest_chroma(double lightness, double hue_deg, double wished) 
 
 DisplayedPixel Display::show(const RelativeXyz& xyz) const {
   const Correlates seen = ciecam02_forward(xyz, room_);
-  DisplayedPixel pixel{.lightness = seen.lightness,
-                       .chroma = seen.chroma,
-                       .hue_deg = seen.hue_deg,
-                       .srgb = Vector3d::Zero(),
-                       .undefined = !seen.status.all_defined()};
-  if (seen.status.negative_achromatic || !(seen.lightness > 0)) return pixel;
-  pixel.too_light = seen.lightness > white_lightness_;
-  pixel.lightness_shown = std::min(seen.lightness, white_lightness_);
-  const double wished = seen.status.no_chroma_denominator ? kMostChroma : seen.chroma;
-  pixel.chroma_shown = largest_chroma(pixel.lightness_shown, seen.hue_deg, wished);
-  pixel.less_chroma = pixel.chroma_shown < wished;
-  pixel.srgb = srgb_encoded(linear_srgb(pixel.lightness_shown, pixel.chroma_shown, seen.hue_deg));
+  const bool no_chroma = seen.status.no_chroma_denominator;
+  DisplayedPixel pixel;
+  if (!seen.status.negative_achromatic) {
+    pixel = show_look({seen.lightness, no_chroma ? kMostChroma : seen.chroma, seen.hue_deg});
+  }
+  pixel.chroma = seen.chroma;
+  pixel.hue_deg = seen.hue_deg;
+  pixel.undefined = !seen.status.all_defined();
+  return pixel;
+}
+
+DisplayedPixel Display::show_look(const LightnessChromaHue& look) const {
+  DisplayedPixel pixel{.lightness = look.lightness, .chroma = look.chroma, .hue_deg = look.hue_deg};
+  if (!(look.lightness > 0)) return pixel;
+  pixel.too_light = look.lightness > white_lightness_;
+  pixel.lightness_shown = std::min(look.lightness, white_lightness_);
+  pixel.chroma_shown = largest_chroma(pixel.lightness_shown, look.hue_deg, look.chroma);
+  pixel.less_chroma = pixel.chroma_shown < look.chroma;
+  pixel.srgb = srgb_encoded(linear_srgb(pixel.lightness_shown, pixel.chroma_shown, look.hue_deg));
   return pixel;
 }
 

@@ -9,8 +9,8 @@ namespace appearance {
 struct DisplayedPixel {
   double lightness = 0, chroma = 0, hue_deg = 0;  ///< J, C, h in the room
   double lightness_shown = 0, chroma_shown = 0;
-  Eigen::Vector3d srgb;      ///< encoded, 0..1
-  bool too_light = false;    ///< shown as light as the display's white
+  Eigen::Vector3d srgb = Eigen::Vector3d::Zero();  ///< encoded, 0..1
+  bool too_light = false;                          ///< shown as light as the display's white
   bool less_chroma = false;  ///< out of the display's gamut: C was reduced, J and h kept
   bool undefined = false;    ///< A < 0, shown black; or no finite C, shown with the largest
 };
@@ -35,6 +35,9 @@ class Display {
   /// @param xyz  relative to the room's white
   /// @throws std::domain_error  if it is not finite
   [[nodiscard]] DisplayedPixel show(const spectra::RelativeXyz& xyz) const;
+
+  /// Whatever looks so in the room.
+  [[nodiscard]] DisplayedPixel show_look(const LightnessChromaHue& look) const;
 
  private:
   [[nodiscard]] Eigen::Vector3d linear_srgb(double lightness, double chroma, double hue_deg) const;

@@ -389,9 +389,11 @@ void set_size(const std::string& text, PictureCommand& picture) {
 }
 
 void add_picture_command(CLI::App& program, CommandLine& line) {
-  Subcommand picture(program, "picture",
-                     "The room as a picture: room.exr (spectra), photograph.png, seen.png",
-                     "scenes/rooms/office.json --out out/office --size 640x480");
+  Subcommand picture(
+      program, "picture",
+      "The room as a picture: room.exr (spectra), photograph.png, seen.png; in false "
+      "colours luminance and illuminance",
+      "scenes/rooms/office.json --out out/office --size 640x480");
   const auto taken = picture.runs(take_pictures, line);
   CLI::App& app = picture.app();
   app.add_option("ROOM", taken->room, "room file")->required();
@@ -403,9 +405,19 @@ void add_picture_command(CLI::App& program, CommandLine& line) {
                  "horizontal field of view (default: the view's, else 60)")
       ->check(within(1, 150));
   app.add_option("--view", taken->view, "name in the room's \"views\" (default: its \"view\")");
-  app.add_option("--paint", taken->paints,
-                 "GROUP=PAINT: a painted group of the room with a paint of its atlas");
-  app.add_flag("--draft", taken->draft, "coarse reflected light, for a first look");
+  auto* paint =
+      app.add_option("--paint", taken->paints,
+                     "GROUP=PAINT: a painted group of the room with a paint of its atlas");
+  app.add_flag(
+         "--best", taken->best,
+         "with the best paints, as rank finds them; and before_after.png: now, the wish, best")
+      ->excludes(paint);
+  app.add_option("--contact-sheet", taken->contact_sheet,
+                 "contact_sheet.png: the room in each of so many of the best paints")
+      ->check(CLI::Range(1, 100));
+  app.add_flag(
+      "--draft", taken->draft,
+      "for a first look: at most 320 pixels across, reflected light gathered at few points");
   app.add_option("--headroom", taken->headroom,
                  "how many times lighter than the room's white the white of seen.png is (default "
                  "10/9: white walls keep the tinge of the light)")

@@ -70,6 +70,8 @@ struct PictureCommand {
   double fov_deg = 0;               ///< horizontal; 0: the view's, else 60
   std::string view;                 ///< name in the room's views; empty: its view
   std::vector<std::string> paints;  ///< GROUP=PAINT
+  bool best = false;                ///< with the best paints of each group's atlas
+  int contact_sheet = 0;            ///< of so many of the best; 0: none
   bool draft = false;
   double headroom = appearance::Display::kHeadroom;
   int bits = 8;       ///< of a PNG's sample

@@ -12,6 +12,7 @@
 #include "apps/studies/paint_wish.h"
 #include "apps/studies/painted_room.h"
 #include "apps/studies/resolve.h"
+#include "apps/studies/scheme_search.h"
 #include "apps/system/terminal.h"
 #include "paints/scheme.h"
 
@@ -19,52 +20,6 @@ namespace apps {
 namespace {
 
 constexpr std::size_t kTableRows = 10;
-
-/// The groups of a room with their atlases and targets.
-struct Groups {
-  std::vector<paints::Atlas> atlases;
-  std::vector<paints::SchemeGroup> groups;
-  std::vector<appearance::SwatchCondition> swatches;  ///< of the targets
-  double highest_reflectance = 0;
-};
-
-Groups groups_of(const RoomRun& run, const RankOptions& options) {
-  Groups all;
-  const std::size_t count = run.room.paint.size();
-  for (std::size_t g = 0; g < count; ++g) {
-    const std::string& atlas = run.room.paint[g].atlas;
-    all.atlases.push_back(
-        paints::load_atlas(options.atlas.empty() ? atlas : options.atlas, run.room.grid));
-  }
-  for (std::size_t g = 0; g < count; ++g) {
-    const scenes::TargetColour& target = target_of(run, g);
-    require_painted_view(run, g);
-    require_wish(run, g);
-    all.groups.push_back(
-        {.atlas = &all.atlases[g], .target = {}, .weight = run.room.paint[g].weight});
-    all.highest_reflectance =
-        std::max(all.highest_reflectance, highest_reflectance(all.atlases[g], target));
-  }
-  return all;
-}
-
-paints::SchemeRanking search(const RoomRun& run, const PaintedRoom& painted, const Groups& groups,
-                             const RankOptions& options, std::size_t top) {
-  const auto room = [&](int varying, const std::vector<spectra::Spectrum>& paints) {
-    std::vector<std::vector<spectra::LitRoom>> views;
-    for (int viewed = 0; viewed < static_cast<int>(run.room.paint.size()); ++viewed) {
-      views.push_back(painted.rooms(varying, viewed, paints));
-    }
-    return views;
-  };
-  return seeing(run, [&] {
-    return paints::rank_schemes(groups.groups, room,
-                                {.distance = options.distance,
-                                 .viewing = run.room.viewing,
-                                 .judgement = run.room.judgement,
-                                 .top = top});
-  });
-}
 
 std::string guarantee(const paints::SchemeRanking& ranking) {
   if (ranking.exhaustive) return fmt::format("all {} schemes were compared", ranking.combinations);
@@ -74,7 +29,7 @@ std::string guarantee(const paints::SchemeRanking& ranking) {
       ranking.combinations, ranking.differing == 1 ? "one" : "one or two");
 }
 
-std::string schemes_csv(const RoomRun& run, const Groups& groups,
+std::string schemes_csv(const RoomRun& run, const SchemeGroups& groups,
                         const paints::SchemeRanking& ranking, const std::vector<double>& solved) {
   CsvText csv;
   csv.cell("rank").cell("distance");
@@ -110,7 +65,7 @@ std::vector<Winner> winners_of(const paints::SchemeRanking& ranking) {
   return winners;
 }
 
-std::string best_table(const RoomRun& run, const Groups& groups,
+std::string best_table(const RoomRun& run, const SchemeGroups& groups,
                        const paints::SchemeRanking& ranking) {
   std::vector<std::vector<std::string>> rows{{"rank", "distance"}};
   std::string alignment = "<>";
@@ -130,7 +85,7 @@ std::string best_table(const RoomRun& run, const Groups& groups,
   return table(alignment, rows);
 }
 
-std::vector<Shift> shifts_of(const RoomRun& run, const Groups& groups,
+std::vector<Shift> shifts_of(const RoomRun& run, const SchemeGroups& groups,
                              const paints::Scheme& scheme) {
   std::vector<Shift> shifts;
   for (std::size_t g = 0; g < scheme.paints.size(); ++g) {
@@ -146,7 +101,7 @@ std::vector<Shift> shifts_of(const RoomRun& run, const Groups& groups,
 
 /// The paints of the best scheme under every choice of the model, each group as its own viewer sees
 /// it.
-ModelSpread spread_of(const RoomRun& run, const PaintedRoom& painted, const Groups& groups,
+ModelSpread spread_of(const RoomRun& run, const PaintedRoom& painted, const SchemeGroups& groups,
                       const paints::SchemeRanking& ranking, paints::Distance distance,
                       const std::vector<std::optional<spectra::ViewedLight>>& here) {
   ModelSpread spread;
@@ -167,7 +122,7 @@ ModelSpread spread_of(const RoomRun& run, const PaintedRoom& painted, const Grou
   return spread;
 }
 
-Json scheme_list(const Groups& groups, const paints::SchemeRanking& ranking) {
+Json scheme_list(const SchemeGroups& groups, const paints::SchemeRanking& ranking) {
   Json list = Json::array();
   for (const paints::Scheme& scheme : ranking.schemes) {
     Json paints = Json::array();
@@ -191,18 +146,13 @@ RunResult rank_schemes(RoomRun& run, const RankOptions& options, const std::file
     throw room_fault(run, "/paint", "names several groups, and --robust is for one",
                      "leave out --robust");
   }
-  Groups groups = groups_of(run, options);
+  SchemeGroups groups = scheme_groups(run, options.atlas);
   run.clock.stop("atlas");
   PaintedRoom painted(run, options, out, groups.highest_reflectance);
-  std::vector<std::optional<spectra::ViewedLight>> here;
-  for (std::size_t g = 0; g < groups.groups.size(); ++g) {
-    here.push_back(light_here(run, painted, g));
-    groups.swatches.push_back(swatch_of(run, target_of(run, g), run.room.viewing, here[g]));
-    groups.groups[g].target = wished(run, target_of(run, g), groups.swatches[g], g);
-  }
+  const auto here = set_targets(run, painted, groups);
   const int top = options.top > 0 ? options.top : run.room.paint.front().top;
   const paints::SchemeRanking ranking =
-      search(run, painted, groups, options, static_cast<std::size_t>(top));
+      search_schemes(run, painted, groups, options.distance, static_cast<std::size_t>(top));
   run.clock.stop("rank");
   const Resolved resolved = resolve(run, painted, winners_of(ranking), groups.groups, options);
   run.clock.stop("resolve");

@@ -55,7 +55,7 @@ void for_pixels(const RoomImage& image, int threads, const Job& job) {
 }  // namespace
 
 RoomImage take_picture(const solver::RoomPicture& picture, int width, int height,
-                       const spectra::Grid& grid, SpectralExr& exr) {
+                       const spectra::Grid& grid, SpectralExr* exr) {
   const Index pixels = Index{width} * height;
   RoomImage image{.width = width, .height = height};
   image.xyz.resize(pixels, 3);
@@ -69,7 +69,7 @@ RoomImage take_picture(const solver::RoomPicture& picture, int width, int height
     for (Index p = 0; p < xyz.rows(); ++p) {
       rgb.row(p) = appearance::linear_srgb_of(xyz.row(p).transpose()).transpose().array();
     }
-    exr.add(rows.radiance, rgb);
+    if (exr != nullptr) exr->add(rows.radiance, rgb);
     image.xyz.middleRows(Index{first} * width, xyz.rows()) = xyz.cast<float>().array();
     image.illuminance_lx.segment(Index{first} * width, xyz.rows()) = rows.illuminance.cast<float>();
   }

@@ -18,9 +18,9 @@ struct RoomImage {
   Eigen::ArrayXf illuminance_lx;
 };
 
-/// Takes the picture row by row; its spectra go into `exr` alone.
+/// Takes the picture row by row; its spectra go into `exr` alone, if there is one.
 [[nodiscard]] RoomImage take_picture(const solver::RoomPicture& picture, int width, int height,
-                                     const spectra::Grid& grid, SpectralExr& exr);
+                                     const spectra::Grid& grid, SpectralExr* exr = nullptr);
 
 /// Bytes that a picture takes at its making, from above.
 [[nodiscard]] std::int64_t picture_bytes(std::int64_t width, std::int64_t height, int bands,

@@ -40,7 +40,18 @@ std::optional<spectra::Spectrum> find(const scenes::Room& room, const scenes::Pa
   }
 }
 
+void paint(scenes::Room& room, const scenes::PaintTask& group, const spectra::Spectrum& paint) {
+  for (const int s : group.surfaces) {
+    room.surfaces[static_cast<std::size_t>(s)].reflectance = paint;
+  }
+}
+
 }  // namespace
+
+scenes::Room painted(scenes::Room room, const std::vector<spectra::Spectrum>& paints) {
+  for (std::size_t g = 0; g < paints.size(); ++g) paint(room, room.paint[g], paints[g]);
+  return room;
+}
 
 Json repaint(RoomRun& run, const std::vector<std::string>& paints) {
   std::vector<std::string> groups;
@@ -61,11 +72,9 @@ Json repaint(RoomRun& run, const std::vector<std::string>& paints) {
                                       : "take " + spectra::alternatives(groups)});
       continue;
     }
-    const auto paint = find(run.room, *group, given.substr(equals + 1), given, faults);
-    if (!paint) continue;
-    for (const int s : group->surfaces) {
-      run.room.surfaces[static_cast<std::size_t>(s)].reflectance = *paint;
-    }
+    const auto found = find(run.room, *group, given.substr(equals + 1), given, faults);
+    if (!found) continue;
+    paint(run.room, *group, *found);
     record[name] = given.substr(equals + 1);
   }
   if (!faults.empty()) throw spectra::InputError(faults);

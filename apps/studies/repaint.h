@@ -12,4 +12,7 @@ namespace apps {
 /// @throws spectra::InputError  with all that is unknown
 Json repaint(RoomRun& run, const std::vector<std::string>& paints);
 
+/// The room with each of its painted groups in another paint.
+[[nodiscard]] scenes::Room painted(scenes::Room room, const std::vector<spectra::Spectrum>& paints);
+
 }  // namespace apps

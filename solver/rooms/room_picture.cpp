@@ -99,6 +99,28 @@ std::optional<SlopeMoments> slopes_of(const std::vector<Facet>& facets,
   return std::make_optional<SlopeMoments>(facets);
 }
 
+/// Slopes made less steep where the light of a patch would fall below 0 in a corner, as next to a
+/// patch of sun: means stay, and no point nearby is lit by less than nothing.
+Bands nowhere_negative(const std::vector<Facet>& facets, Bands light) {
+  const auto n = static_cast<Eigen::Index>(facets.size());
+  if (light.rows() == n) return light;
+  const std::vector<SlopeBasis> bases = slope_bases(facets);
+  for (Eigen::Index p = 0; p < n; ++p) {
+    const Facet& facet = facets[static_cast<std::size_t>(p)];
+    BandRow lowest = BandRow::Zero(light.cols());
+    for (const Vector3d& corner : facet.vertices) {
+      const Eigen::Vector2d psi = bases[static_cast<std::size_t>(p)].at(corner - facet.centre);
+      lowest = lowest.min(psi[0] * light.row(n + p) + psi[1] * light.row(2 * n + p));
+    }
+    const BandRow kept =
+        (light.row(p) + lowest < 0)
+            .select((light.row(p) / -lowest).max(0.0), BandRow::Ones(lowest.size()));
+    light.row(n + p) *= kept;
+    light.row(2 * n + p) *= kept;
+  }
+  return light;
+}
+
 }  // namespace
 
 RoomPicture::Scene::Scene(const scenes::Room& room, const RoomTransport& transport,
@@ -114,7 +136,9 @@ RoomPicture::Scene::Scene(const scenes::Room& room, const RoomTransport& transpo
       visibility(room, transport.mesh),
       slopes(slopes_of(patch_facets, solution)),
       gather(transport.mesh, patch_facets, visibility, slopes ? &*slopes : nullptr),
-      reflected(solution.radiosity.radiosity - transport.lightings.at(solution.lighting).emission),
+      reflected(nowhere_negative(
+          patch_facets,
+          solution.radiosity.radiosity - transport.lightings.at(solution.lighting).emission)),
       lamps(facets, exitance, visibility),
       sources(room, visibility),
       hidden(visibility.blockers(), from_point(camera.eye_m())),

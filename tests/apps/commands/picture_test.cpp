@@ -148,13 +148,22 @@ TEST(PictureCommand, PngSaysWhatItsColoursAre) {
   EXPECT_EQ(png.chunks.at("cHRM").size(), 32U);
 }
 
+TEST(PictureCommand, LuminanceIsThatOfTheSpectra) {
+  const Exr exr(office() / "room.exr"), luminance(office() / "luminance.exr");
+  for (std::size_t p = 0; p < kWidth * kHeight; p += 7) {
+    const double y = xyz_of(exr, p).y;
+    EXPECT_NEAR(luminance.at("Y", p), y, 1e-5 * y);
+  }
+}
+
 TEST(PictureCommand, ThreadsChangeNoBit) {
   const TemporaryFolder folder;
   const ProgramRun run = roomhue(
       "picture scenes/rooms/office.json --view door --size 48x36 --bits 16 --threads 2 --out " +
       folder.path().string());
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  for (const char* name : {"room.exr", "photograph.png", "seen.png"}) {
+  for (const char* name :
+       {"room.exr", "photograph.png", "seen.png", "illuminance.png", "luminance.exr"}) {
     EXPECT_TRUE(read_text(folder / name) == read_text(office() / name)) << name;
   }
 }
@@ -173,6 +182,33 @@ TEST(PictureCommand, PaintIsSeenAndHalvesAreNear) {
   EXPECT_GT(std::abs(painted.at(channel_of(20), wall) / before.at(channel_of(20), wall) - 1), 0.1);
 }
 
+// The middle panel is the swatch; the right one is seen.png, the left one the room as it is.
+TEST(PictureCommand, BestPaintsAreThoseOfRankAndStandBesideNow) {
+  const TemporaryFolder folder, ranked;
+  const ProgramRun run = roomhue(
+      "picture scenes/rooms/office.json --view door --size 48x36 --draft --bits 16 --best "
+      "--contact-sheet 3 --out " +
+      folder.path().string());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_EQ(roomhue("rank scenes/rooms/office.json --resolve-top 0 --top 3 --out " +
+                    ranked.path().string())
+                .exit_code,
+            0);
+  const auto rows = read_cells(ranked / "ranking.csv");
+  const nlohmann::json best = read_json(folder / "run.json").at("best_paints");
+  ASSERT_EQ(best.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(best[k].at("paints")[0], rows[k + 1][1]);
+    EXPECT_NEAR(best[k].at("distance").get<double>(), std::stod(rows[k + 1][2]), 1e-9);
+  }
+  const auto width_of_png = [&](const char* name) {
+    const std::string head = Png(folder / name).chunks.at("IHDR");
+    return static_cast<unsigned char>(head[2]) << 8 | static_cast<unsigned char>(head[3]);
+  };
+  EXPECT_EQ(width_of_png("before_after.png"), 48 + 12 + 48 + 4 * 6);
+  EXPECT_EQ(width_of_png("contact_sheet.png"), 2 * 48 + 3 * 6);
+}
+
 struct Refusal {
   std::string options;
   int exit_code;
@@ -187,7 +223,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"--size 0x0", 2, "each from 1 to"}, Refusal{"--size 12", 2, "WIDTHxHEIGHT"},
         Refusal{"--size -5x10", 2, "each from 1 to"}, Refusal{"--size 10x10x10", 2, "WIDTHxHEIGHT"},
         Refusal{"--size 900000x900000", 3, "GiB"}, Refusal{"--fov-deg 180", 2, "fov-deg"},
-        Refusal{"--fov-deg nan", 2, "fov-deg"}, Refusal{"--headroom 0.5", 2, "headroom"},
+        Refusal{"--fov-deg nan", 2, "fov-deg"}, Refusal{"--best --paint south=100", 2, "excludes"},
+        Refusal{"--contact-sheet 0", 2, "contact-sheet"}, Refusal{"--headroom 0.5", 2, "headroom"},
         Refusal{"--bits 12", 2, "bits"},
         Refusal{"--view cellar", 3, "has no view \"cellar\"; take \"door\" or \"shelf\""},
         Refusal{"--paint south=999", 3, "no paint \"999\""},

@@ -172,6 +172,12 @@ TEST(RoomPicture, FurnishedRoomKeepsTheTargetAgainstGatheringEveryPixel) {
   }
 }
 
+// Where a patch of sun begins, linear light on the patches falls below 0; beside it no pixel may.
+TEST(RoomPicture, NoPixelIsDarkerThanNothingBesideAPatchOfSun) {
+  const Taken taken(sample_room("l_room"), {4.9, 2.6, 1.0}, {6, 2.35, 0.05});
+  EXPECT_GT(taken.picture.rows(0, kHeight).radiance.minCoeff(), 0);
+}
+
 TEST(RoomPicture, OneAndTwoThreadsGiveTheSameBits) {
   const auto picture = [](int threads) {
     set_threads(threads);
