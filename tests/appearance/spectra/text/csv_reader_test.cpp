@@ -108,7 +108,7 @@ TEST(ReadCsv, MissingFilesAndFoldersCannotBeRead) {
   EXPECT_THROW((void)read_csv(SOURCE_DIR), FileError);
 }
 
-TEST(ReadCsv, EndlessInputIsRefused) { EXPECT_THROW((void)read_csv("/dev/zero"), InputError); }
+TEST(ReadCsv, EndlessInputIsRefused) { EXPECT_THROW((void)read_csv("/dev/zero"), FileError); }
 
 TEST(ParseNumber, TakesAWholeFiniteNumber) {
   EXPECT_EQ(parse_number("0.25"), 0.25);
