@@ -101,7 +101,7 @@ std::array<int, 5> RefinedField::tests_of(int cell) {
 
 void RefinedField::evaluate(Nodes nodes, const Rules& rules) {
   std::ranges::sort(nodes);
-  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t k) {
     const auto [node, facet] = nodes[k];
     if (samples_[node].values.size() == 0) samples_[node] = rules.sample(facet, points_[node]);

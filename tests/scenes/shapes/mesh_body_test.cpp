@@ -24,7 +24,7 @@ std::vector<MeshPolygon> triangles_of(const std::vector<Body>& bodies,
     for (Outline face : bodies[b].faces) {
       const auto nearest =
           std::ranges::min_element(face, {}, [&](const Vector3d& p) { return (p - apex).norm(); });
-      std::ranges::rotate(face, nearest);
+      std::rotate(face.begin(), nearest, face.end());
       for (std::size_t k = 2; k < face.size(); ++k) {
         Outline triangle{face[0], face[k - 1], face[k]};
         if (triangles.size() % 2 == 1) std::swap(triangle[0], triangle[1]);
