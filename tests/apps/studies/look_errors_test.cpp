@@ -74,7 +74,8 @@ TEST(RankingErrors, NothingIsToldWithoutLongerPatches) {
 
 // What is told of the rankings of rooms covers what patches a third as long change.
 TEST(RankingErrors, CoverWhatFinerPatchesChange) {
-  for (const auto& [room, patch] : {std::pair{"tungsten", "0.13"}, std::pair{"lean_to", "0.12"}}) {
+  for (const auto& sample : {std::pair{"tungsten", "0.13"}, std::pair{"lean_to", "0.12"}}) {
+    const std::string room = sample.first, patch = sample.second;
     const TemporaryFolder folder;
     const auto rank = [&](const std::string& out, const std::string& options) {
       const test::ProgramRun run = test::roomhue(std::string("rank " SOURCE_DIR "/scenes/rooms/") +
@@ -83,7 +84,7 @@ TEST(RankingErrors, CoverWhatFinerPatchesChange) {
       EXPECT_EQ(run.exit_code, 0) << run.err;
       return test::read_cells(folder / (out + "/ranking.csv"));
     };
-    const auto coarse = rank("coarse", ""), fine = rank("fine", std::string("--patch-m ") + patch);
+    const auto coarse = rank("coarse", ""), fine = rank("fine", "--patch-m " + patch);
     const auto column = [&](const char* name) {
       return static_cast<std::size_t>(std::ranges::find(coarse[0], name) - coarse[0].begin());
     };
