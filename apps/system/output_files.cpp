@@ -136,18 +136,21 @@ void clear_leftovers(const fs::path& target) {
   constexpr auto kQuiet = std::chrono::minutes(1);
   const std::string before = "." + target.filename().string() + ".", after = ".tmp";
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(target), ignored)) {
-    const std::string name = entry.path().filename().string();
+  for (fs::directory_iterator at(folder_of(target), ignored), end; at != end;
+       at.increment(ignored)) {
+    const std::string name = at->path().filename().string();
     if (!name.starts_with(before) || !name.ends_with(after)) continue;
     const std::string number =
         name.substr(before.size(), name.size() - before.size() - after.size());
     int process = 0;
-    const auto [end, error] =
+    const auto [stop, error] =
         std::from_chars(number.data(), number.data() + number.size(), process);
-    if (error != std::errc() || end != number.data() + number.size() || process <= 0) continue;
+    if (error != std::errc() || stop != number.data() + number.size() || process <= 0) continue;
     const bool gone = ::kill(process, 0) != 0 && errno == ESRCH;
-    const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ignored);
-    if (gone && age > kQuiet) fs::remove(entry.path(), ignored);
+    std::error_code vanished;
+    const fs::file_time_type written = at->last_write_time(vanished);
+    const bool quiet = !vanished && written < fs::file_time_type::clock::now() - kQuiet;
+    if (gone && quiet) fs::remove(at->path(), ignored);
   }
 }
 

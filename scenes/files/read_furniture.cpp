@@ -232,8 +232,10 @@ void RoomReader::check_body(std::size_t index) const {
     const std::string& name = shell_surfaces_[static_cast<std::size_t>(surface)].first;
     place.fault(fmt::format("it reaches through \"{}\"", name),
                 "keep it, as rotated, within the room; it may touch walls, floor and ceiling");
-  } else if (enclosure_.clearance_m(middle_of(body)) < -kTouch_m) {
-    place.fault("it stands outside the room", "move it into the room");
+  } else if (std::ranges::any_of(body.parts, [this](const ConvexPart& part) {
+               return enclosure_.clearance_m(middle_of(part)) < -kTouch_m;
+             })) {
+    place.fault("it stands outside the room, or a part of it does", "move it into the room");
   }
   for (std::size_t i = 0; i < index; ++i) {
     const Body& other = room_.furniture[i];

@@ -68,7 +68,8 @@ std::optional<Body> RoomReader::read_mesh(const JsonNode& node, const std::strin
       for (const std::string& note : notes) room_.notes.push_back(path + ": " + note);
     }
     for (std::size_t k = 0; k < std::min(made.faults.size(), kMostFaults); ++k) {
-      file_node.fault(made.faults[k], "mend the model; one that is thin by \"two_sided\": true");
+      file_node.fault(made.faults[k],
+                      "mend the model; if it is thin and open, set \"two_sided\": true");
     }
     if (made.faults.size() > kMostFaults) {
       file_node.fault(fmt::format("{} more faults", made.faults.size() - kMostFaults),

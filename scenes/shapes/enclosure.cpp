@@ -214,8 +214,8 @@ int Enclosure::reached_through(const Body& body) const {
   return -1;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> crossing_faces(
-    const std::vector<ShellFace>& shell) {
+std::vector<std::pair<std::size_t, std::size_t>> crossing_faces(const std::vector<ShellFace>& shell,
+                                                                bool thin_walls) {
   constexpr double kTouching_m = 4e-6;  // corners may lie 1e-6 m off their planes
   std::vector<std::vector<ConvexPart>> plates(shell.size());
   std::vector<Eigen::AlignedBox3d> extents(shell.size());
@@ -228,7 +228,8 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_faces(
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t f = 0; f < shell.size(); ++f) {
     for (std::size_t g = f + 1; g < shell.size(); ++g) {
-      if (!extents[f].intersects(extents[g]) || back_to_back(shell[f], shell[g])) continue;
+      if (!extents[f].intersects(extents[g])) continue;
+      if (thin_walls && back_to_back(shell[f], shell[g])) continue;
       const bool cross = std::ranges::any_of(plates[f], [&](const ConvexPart& a) {
         return std::ranges::any_of(
             plates[g], [&](const ConvexPart& b) { return overlap(a, b, false, kTouching_m); });
@@ -245,18 +246,20 @@ double distance_m(const Body& body, const Vector3d& point) {
   return solid ? distance_to_parts_m(body, point) : distance_to_faces_m(body, point);
 }
 
-Vector3d middle_of(const Body& body) {
+Vector3d middle_of(const ConvexPart& part) {
   Vector3d sum = Vector3d::Zero();
-  const std::vector<Vector3d>& corners = body.parts.front().corners;
-  for (const Vector3d& c : corners) sum += c;
-  return sum / static_cast<double>(corners.size());
+  for (const Vector3d& c : part.corners) sum += c;
+  return sum / static_cast<double>(part.corners.size());
 }
 
 bool overlap(const Body& a, const Body& b) {
   if (!bounds(a).intersects(bounds(b))) return false;
-  if (distance_m(a, middle_of(b)) < -kTouch_m || distance_m(b, middle_of(a)) < -kTouch_m) {
-    return true;
-  }
+  const auto within = [](const Body& some, const Body& other) {  // a part of it, and all of that
+    return std::ranges::any_of(some.parts, [&](const ConvexPart& part) {
+      return distance_m(other, middle_of(part)) < -kTouch_m;
+    });
+  };
+  if (within(a, b) || within(b, a)) return true;
   for (const ConvexPart& part : a.parts) {
     for (const ConvexPart& other : b.parts) {
       if (overlap(part, other, false)) return true;

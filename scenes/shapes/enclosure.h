@@ -44,14 +44,15 @@ class Enclosure {
 };
 
 /// Pairs of faces that share more than a boundary, to kWeld_m.
+/// @param thin_walls  those that lie back to back do not count
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> crossing_faces(
-    const std::vector<ShellFace>& shell);
+    const std::vector<ShellFace>& shell, bool thin_walls = true);
 
 /// Outside, a lower bound of the distance to the body; negative within. Of a sheet the distance.
 [[nodiscard]] double distance_m(const Body& body, const Eigen::Vector3d& point);
 
-/// A point of its first part.
-[[nodiscard]] Eigen::Vector3d middle_of(const Body& body);
+/// The mean of its corners.
+[[nodiscard]] Eigen::Vector3d middle_of(const ConvexPart& part);
 
 /// Two bodies share more than a boundary; two sheets also where they lie on each other.
 [[nodiscard]] bool overlap(const Body& a, const Body& b);

@@ -250,7 +250,7 @@ MeshBody mesh_body(std::string name, const std::vector<MeshPolygon>& polygons, b
   }
   std::vector<ShellFace> faces = Cleaning(result).faces(polygons);
   if (two_sided) {
-    for (const auto& [f, g] : crossing_faces(faces)) {
+    for (const auto& [f, g] : crossing_faces(faces, false)) {
       result.faults.push_back("the faces from " + place_of(faces[f].outline) + " and " +
                               place_of(faces[g].outline) + " cross or lie on each other");
     }

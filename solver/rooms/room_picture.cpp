@@ -114,7 +114,7 @@ Bands nowhere_negative(const std::vector<Facet>& facets, Bands light) {
     }
     const BandRow kept =
         (light.row(p) + lowest < 0)
-            .select((light.row(p) / -lowest).max(0.0), BandRow::Ones(lowest.size()));
+            .select((light.row(p) / -lowest).max(0.0).min(1.0), BandRow::Ones(lowest.size()));
     light.row(n + p) *= kept;
     light.row(2 * n + p) *= kept;
   }

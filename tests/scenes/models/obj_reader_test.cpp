@@ -118,6 +118,12 @@ TEST(RoomMesh, BadOnesAreRefusedAtTheirPlace) {
   room = room_with_mesh(cube_text());
   room["furniture"][0]["mesh"]["at_m"] = {4.5, 1, 0};
   EXPECT_THAT(fault(room).problem, HasSubstr("through \"east\""));
+  room =
+      room_with_mesh(cube_text() +  // and a second cube, far outside
+                     "v 9 0 0\nv 10 0 0\nv 10 1 0\nv 9 1 0\nv 9 0 1\nv 10 0 1\nv 10 1 1\nv 9 1 1\n"
+                     "f -5 -6 -7 -8\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -7 -6 -2 -3\nf -6 -5 -1 -2\n"
+                     "f -5 -8 -4 -1\n");
+  EXPECT_THAT(fault(room).problem, HasSubstr("outside the room"));
   room = room_with_mesh(cube_text());
   room["furniture"][0]["mesh"]["two_sided"] = 1;
   EXPECT_EQ(fault(room).pointer, mesh + "/two_sided");

@@ -117,6 +117,17 @@ TEST(MeshBody, OpenDoubledAndCrossingMeshesAreRefused) {
   ASSERT_FALSE(crossing.faults.empty());
 }
 
+// Which way round a thin face is given means nothing: it must not lie on another.
+TEST(MeshBody, ThinFacesMayNotLieOnEachOther) {
+  const Outline square{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  Outline moved = square;
+  for (Vector3d& p : moved) p += Vector3d(0.5, 0.5, 0);
+  for (const bool turned : {false, true}) {
+    if (turned) std::reverse(moved.begin(), moved.end());
+    EXPECT_FALSE(mesh_body("", {{.outline = square}, {.outline = moved}}, true).faults.empty());
+  }
+}
+
 TEST(MeshBody, ThinMeshesLookBothWays) {
   const std::vector<MeshPolygon> fold{{.outline = {{0, 0, 0}, {1, 0, 0}, {1, 0, 2}, {0, 0, 2}}},
                                       {.outline = {{1, 0, 0}, {1, 1, 0}, {1, 1, 2}, {1, 0, 2}}}};

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "scenes/files/room_json.h"
+#include "scenes/shapes/room_builder.h"
 #include "solver/exchange/exchange.h"
 #include "solver/factors/pair_factor.h"
 
@@ -175,6 +176,17 @@ TEST(RoomPicture, FurnishedRoomKeepsTheTargetAgainstGatheringEveryPixel) {
 // Where a patch of sun begins, linear light on the patches falls below 0; beside it no pixel may.
 TEST(RoomPicture, NoPixelIsDarkerThanNothingBesideAPatchOfSun) {
   const Taken taken(sample_room("l_room"), {4.9, 2.6, 1.0}, {6, 2.35, 0.05});
+  EXPECT_GT(taken.picture.rows(0, kHeight).radiance.minCoeff(), 0);
+}
+
+// Bands that are another's times a factor leave rounding of either sign where a window only emits.
+TEST(RoomPicture, AGreyRoomUnderAWindowHasLightInEveryPixel) {
+  scenes::Room room = scenes::RoomBuilder(scenes::rectangular_plan(5, 4), 2.5)
+                          .patches(0.6)
+                          .opening(0, {2, 1}, {1, 1})
+                          .room();
+  room.surfaces.back().exitance.values = Eigen::ArrayXd::LinSpaced(31, 0.7, 1.9).square();
+  const Taken taken(std::move(room), {4.5, 2, 1.5}, {0, 2, 1.2});
   EXPECT_GT(taken.picture.rows(0, kHeight).radiance.minCoeff(), 0);
 }
 
