@@ -26,6 +26,8 @@ Room relit(const Room& room, const Scenario& scenario) {
       lit.point_lights[static_cast<std::size_t>(light.point)].spectral_flux.values *= scale;
     } else if (light.luminaire >= 0) {
       lit.luminaires[static_cast<std::size_t>(light.luminaire)].spectral_flux.values *= scale;
+    } else if (light.sky >= 0) {
+      lit.skies[static_cast<std::size_t>(light.sky)].scale *= scale;
     } else if (light.sun >= 0) {
       lit.suns[static_cast<std::size_t>(light.sun)].normal_irradiance.values *= scale;
     } else {

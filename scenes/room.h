@@ -10,6 +10,8 @@
 #include "appearance/spectra/viewed_light.h"
 #include "scenes/geometry/outline.h"
 #include "scenes/luminaires/luminaire.h"
+#include "scenes/skies/glass.h"
+#include "scenes/skies/sky.h"
 
 namespace scenes {
 
@@ -35,7 +37,8 @@ struct Opening {
   std::string name;
   int face = 0;  ///< into Room::shell
   Outline outline;
-  Spectrum transmittance;  ///< for the sun, 0..1
+  Spectrum transmittance;  ///< for sun and sky, 0..1, from every direction; or
+  std::optional<Glass> glass = {};
 };
 
 /// A lamp flush with a shell face: a convex part of it, and patches of the mesh.
@@ -150,10 +153,11 @@ struct PaintTask {
 /// A light as the file lists it, and what it gives alone.
 struct Light {
   std::string name;
-  SurfaceKind kind = SurfaceKind::panel;     ///< panel or opening, if `index` says which
-  int index = -1;                            ///< into panels or openings; -1: none of them
-  int point = -1, sun = -1, luminaire = -1;  ///< into point_lights, suns, luminaires
-  Spectrum exitance;                         ///< S of its surface, W m^-2 nm^-1
+  SurfaceKind kind = SurfaceKind::panel;  ///< panel or opening, if `index` says which
+  int index = -1;                         ///< into panels or openings; -1: none of them
+  int point = -1, sun = -1, luminaire = -1,
+      sky = -1;       ///< into point_lights, suns, luminaires, skies
+  Spectrum exitance;  ///< S of its surface, W m^-2 nm^-1
 };
 
 /// A lighting of the room: some of its lights, scaled.
@@ -175,6 +179,7 @@ struct Room {
   std::vector<Surface> surfaces;
   std::vector<PointLight> point_lights;
   std::vector<Sun> suns;
+  std::vector<Sky> skies;  ///< seen through all openings
   std::vector<PlacedLuminaire> luminaires;
   std::vector<Receiver> receivers;
   std::optional<View> view;

@@ -90,15 +90,9 @@ Samples daylight(double cct_K) {
     throw std::invalid_argument(
         fmt::format("daylight must have a temperature within 4000..25000 K, not {}", cct_K));
   }
-  // [CIE15] 3.1: chromaticity on the daylight locus, then the weights of the components.
-  const double u = 1000 / cct_K;
-  const double x = cct_K <= 7000 ? 0.244063 + u * (0.09911 + u * (2.9678 - u * 4.6070))
-                                 : 0.237040 + u * (0.24748 + u * (1.9018 - u * 2.0064));
-  const double y = -0.275 + x * (2.870 - x * 3.000);
-  const double m = 0.0241 + 0.2562 * x - 0.7341 * y;
+  const Eigen::Vector2d exact = daylight_weights(cct_K);
   // Rounded as [CIE15] asks: so D65 comes out as its published table, within 0.001 of 100.
-  const double m1 = rounded_to_thousandths((-1.3515 - 1.7703 * x + 5.9114 * y) / m);
-  const double m2 = rounded_to_thousandths((0.0300 - 31.4424 * x + 30.0717 * y) / m);
+  const double m1 = rounded_to_thousandths(exact[0]), m2 = rounded_to_thousandths(exact[1]);
 
   const auto& [s0, s1, s2] = tables().daylight;
   Samples s{.nm = tables().nm, .values = {}};
@@ -106,6 +100,24 @@ Samples daylight(double cct_K) {
     s.values.push_back(s0[k] + m1 * s1[k] + m2 * s2[k]);
   }
   return s;
+}
+
+std::array<Samples, 3> daylight_components() {
+  std::array<Samples, 3> components;
+  for (std::size_t k = 0; k < 3; ++k) {
+    components[k] = {.nm = tables().nm, .values = tables().daylight[k]};
+  }
+  return components;
+}
+
+/// [CIE15] 3.1: chromaticity on the daylight locus, then the weights of the components.
+Eigen::Vector2d daylight_weights(double cct_K) {
+  const double u = 1000 / cct_K;
+  const double x = cct_K <= 7000 ? 0.244063 + u * (0.09911 + u * (2.9678 - u * 4.6070))
+                                 : 0.237040 + u * (0.24748 + u * (1.9018 - u * 2.0064));
+  const double y = -0.275 + x * (2.870 - x * 3.000);
+  const double m = 0.0241 + 0.2562 * x - 0.7341 * y;
+  return {(-1.3515 - 1.7703 * x + 5.9114 * y) / m, (0.0300 - 31.4424 * x + 30.0717 * y) / m};
 }
 
 const std::vector<LampPreset>& lamp_presets() {

@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/Core>
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,11 @@ namespace spectra {
 /// CIE daylight of a correlated colour temperature. @throws std::invalid_argument  outside
 /// 4000..25000 K
 [[nodiscard]] Samples daylight(double cct_K);
+
+/// S0, S1, S2 of [CIE15]: daylight is S0 + m1 S1 + m2 S2.
+[[nodiscard]] std::array<Samples, 3> daylight_components();
+/// m1 and m2 of a temperature from 4000 to 25000 K, unrounded.
+[[nodiscard]] Eigen::Vector2d daylight_weights(double cct_K);
 
 /// A light source of [Neumann2004] Table 4: Planckian, with its efficacy where one is printed.
 struct LampPreset {

@@ -108,12 +108,32 @@ Json shape_of(const scenes::Room& room) {
   }
   for (const scenes::Opening& o : room.openings) {
     shape["openings"].push_back({o.face, json_of(o.outline), json_of(o.transmittance)});
+    if (!o.glass) continue;
+    shape["openings"].back().push_back(o.glass->panes());
+    shape["openings"].back().push_back(list_of(o.glass->at_normal()));
   }
   for (const scenes::Panel& p : room.panels) {
     shape["panels"].push_back({p.face, json_of(p.outline)});
   }
   for (const scenes::Body& b : room.furniture) shape["furniture"].push_back(json_of(b.faces));
   return shape;
+}
+
+Json json_of(const scenes::Sky& sky) {
+  const scenes::SkyPattern& p = sky.pattern;
+  Json json{{"pattern", {p.a, p.b, p.c, p.d, p.e, p.shift, p.traditional}},
+            {"to_sun", list_of(p.to_sun)},
+            {"cd_m2", sky.cd_m2},
+            {"scale", sky.scale},
+            {"components", list_of(sky.components.reshaped())},
+            {"by_direction", {sky.by_direction, sky.overcast}},
+            {"beam", list_of(sky.beam)},
+            {"ground", list_of(sky.ground)}};
+  if (const auto& o = sky.obstruction) {
+    json["obstruction"] = {o->angle_deg, o->distance_m.value_or(-1), o->top_m.value_or(-1),
+                           o->reflectance};
+  }
+  return json;
 }
 
 Json light_of(const scenes::Room& room) {
@@ -125,6 +145,7 @@ Json light_of(const scenes::Room& room) {
   for (const scenes::Sun& s : room.suns) {
     light["suns"].push_back({s.azimuth_deg, s.altitude_deg, json_of(s.normal_irradiance)});
   }
+  for (const scenes::Sky& s : room.skies) light["skies"].push_back(json_of(s));
   for (const scenes::PlacedLuminaire& l : room.luminaires) {
     light["luminaires"].push_back({sha256_of_file(l.type->path), list_of(l.at_m),
                                    list_of(l.axes.reshaped()), json_of(l.spectral_flux)});

@@ -29,7 +29,12 @@ PreparedRoom with_bands(PreparedRoom prepared, const MatrixXd& combine) {
     for (ArrayXd& direct : row.direct) direct = combined(direct);
   };
   for (solver::ReceiverRow& row : t.receivers) combine_direct(row);
-  for (solver::ViewedWall& wall : t.viewed) combine_direct(wall.row);
+  for (solver::ViewedWall& wall : t.viewed) {
+    combine_direct(wall.row);
+    for (solver::SeenSky& sky : wall.sky) {
+      sky = {.background = combined(sky.background), .field = combined(sky.field)};
+    }
+  }
   return prepared;
 }
 

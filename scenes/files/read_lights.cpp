@@ -17,7 +17,7 @@ using spectra::Limits;
 
 namespace {
 
-const std::vector<std::string> kKinds{"panel", "opening", "point", "sun", "luminaire"};
+const std::vector<std::string> kKinds{"panel", "opening", "point", "sun", "sky", "luminaire"};
 const std::vector<std::string> kAmounts{"flux_lm", "power_W", "illuminance_lx", "exitance_W_m2_nm"};
 constexpr Limits kAmount{.least = 0, .most = 1e9, .above_least = true};
 
@@ -47,11 +47,11 @@ void RoomReader::read_lights() {
   const Places entries = lights->list();
   if (entries.empty() && lights->is(JsonNode::Kind::list)) {
     lights->fault("there is no light at all",
-                  "add a panel, a lit opening, a luminaire, a point or a sun");
+                  "add a panel, a lit opening, a luminaire, a point, a sun or a sky");
   }
   for (const JsonNode& node : entries) {
-    read_light(node.object({"name", "panel", "opening", "point", "sun", "luminaire", "reflectance",
-                            "spectrum", "flux_lm", "dim", "power_W", "efficacy_lm_W",
+    read_light(node.object({"name", "panel", "opening", "point", "sun", "sky", "at", "luminaire",
+                            "reflectance", "spectrum", "flux_lm", "dim", "power_W", "efficacy_lm_W",
                             "illuminance_lx", "exitance_W_m2_nm"}));
   }
 }
@@ -76,6 +76,10 @@ void RoomReader::read_light(const JsonObject& light) {
     dim->fault(fmt::format("\"dim\" has no meaning for this light ({})", kinds[0]),
                "only luminaires know their own flux; give less of the amount");
   }
+  if (const auto at = light.find("at"); at && kinds[0] != "sun" && kinds[0] != "sky") {
+    at->fault(fmt::format("\"at\" has no meaning for this light ({})", kinds[0]),
+              "it says where the sun stands, for a sun or a sky");
+  }
   const LightEntry entry{.light = light, .kind = node, .name = name};
   if (kinds[0] == "panel") {
     read_panel(entry);
@@ -85,6 +89,8 @@ void RoomReader::read_light(const JsonObject& light) {
     read_point(entry);
   } else if (kinds[0] == "luminaire") {
     read_luminaire_light(entry);
+  } else if (kinds[0] == "sky") {
+    read_sky(entry);
   } else {
     read_sun(entry);
   }
@@ -204,18 +210,29 @@ void RoomReader::read_point(const LightEntry& entry) {
 }
 
 void RoomReader::read_sun(const LightEntry& entry) {
-  const JsonObject place = entry.kind.object({"azimuth_deg", "altitude_deg"});
-  const Sun sun{
-      .name = entry.name,
-      .azimuth_deg = place.number("azimuth_deg", {.least = -360, .most = 360}),
-      .altitude_deg = place.number("altitude_deg", {.least = 0, .most = 90, .above_least = true}),
-      .normal_irradiance =
-          emitted(entry.light, {.kind = "sun", .keys = {"illuminance_lx", "exitance_W_m2_nm"}})};
+  const auto at = entry.light.find("at");
+  Sun sun{.name = entry.name,
+          .normal_irradiance = emitted(
+              entry.light, {.kind = "sun", .keys = {"illuminance_lx", "exitance_W_m2_nm"}})};
+  if (at) {
+    (void)entry.kind.object({});
+    const auto place = read_sun_place(*at);
+    sun.azimuth_deg = place ? place->azimuth_deg : NAN;
+    sun.altitude_deg = place ? place->altitude_deg : NAN;
+  } else {
+    const JsonObject place = entry.kind.object({"azimuth_deg", "altitude_deg"});
+    sun.azimuth_deg = place.number("azimuth_deg", {.least = -360, .most = 360});
+    sun.altitude_deg = place.number("altitude_deg", {.least = 0, .most = 90, .above_least = true});
+  }
+  if (sun.altitude_deg <= 0) {
+    sun.normal_irradiance = curves_.zero();
+    room_.notes.push_back(entry.kind.pointer() + ": this sun is below the horizon; no light");
+  }
   room_.lights.push_back({.name = entry.name, .sun = static_cast<int>(room_.suns.size())});
   room_.suns.push_back(sun);
   if (opening_places_.empty()) {
     entry.kind.fault("the room has no opening for the sun", "add one to \"openings\"");
-  } else if (shell_sound_ && std::isfinite(sun.azimuth_deg + sun.altitude_deg)) {
+  } else if (shell_sound_ && sun.altitude_deg > 0) {
     check_sun(sun, entry.kind);
   }
 }

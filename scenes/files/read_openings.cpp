@@ -35,19 +35,23 @@ void RoomReader::read_openings() {
   for (const JsonNode& node : top_.list_or_empty("openings")) {
     const JsonObject entry =
         node.object({"name", "wall", "offset_m", "sill_m", "width_m", "height_m", "on", "center_m",
-                     "size_m", "outline_m", "transmittance"});
+                     "size_m", "outline_m", "transmittance", "glass"});
     const bool in_wall = !entry.has("on") && !entry.has("outline_m") && !top_.has("faces");
     const FacePart part = in_wall ? read_part_of_wall(entry) : read_part(entry, "opening");
-    const auto transmittance = entry.find("transmittance");
+    const auto transmittance = entry.find("transmittance"), glass = entry.find("glass");
+    if (transmittance && glass) {
+      transmittance->fault("the opening has a transmittance and glass",
+                           "keep one of them; that of glass depends on the angle");
+    }
     const std::string name = entry.name("name");
     if (const auto place = entry.find("name")) claim_name(*place, name);
     if (!part.outline.empty()) check_overlap(part, node, "opening");
     room_.openings.push_back({.name = name,
                               .face = part.face,
                               .outline = part.outline,
-                              .transmittance = transmittance
-                                                   ? curves_.transmittance(*transmittance)
-                                                   : spectra::constant(curves_.grid(), 1)});
+                              .transmittance = transmittance ? curves_.transmittance(*transmittance)
+                                                             : spectra::constant(curves_.grid(), 1),
+                              .glass = glass ? read_glass(*glass) : std::nullopt});
     opening_places_.push_back(node);
     opening_area_m2_.push_back(part.area_m2);
   }

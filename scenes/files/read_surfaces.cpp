@@ -65,6 +65,13 @@ void RoomReader::set_reflectance(Surface& surface, const JsonObject& given,
     const auto all = given.find(room_.furniture[index].name);
     if (all) chosen = curves_.reflectance(*all);
   }
+  // What is outside is dark but for its light, and what falls onto a pane comes back in part.
+  if (surface.kind == SurfaceKind::opening && !chosen && !room_.skies.empty()) {
+    chosen = Reflectance{.spectrum = curves_.zero()};
+    if (const auto& glass = room_.openings[index].glass) {
+      chosen->spectrum.values = glass->diffuse_reflectance();
+    }
+  }
   if (surface.kind == SurfaceKind::opening && opening_exitance_[index]) {
     surface.exitance = *opening_exitance_[index];
     if (!chosen) chosen = Reflectance{.spectrum = curves_.zero()};

@@ -11,10 +11,10 @@ using spectra::JsonNode;
 RoomReader::RoomReader(spectra::JsonFile& file, const spectra::Grid& grid)
     : file_(file),
       curves_(file, grid),
-      top_(file.root().object({"$schema", "roomhue", "name", "plan_m", "wall_names", "height_m",
-                               "ceiling", "faces", "patch_m", "openings", "furniture", "surfaces",
-                               "lights", "receivers", "view", "views", "paint", "scenarios",
-                               "judge"})) {
+      top_(file.root().object({"$schema",   "roomhue",  "name",   "plan_m",    "wall_names",
+                               "height_m",  "ceiling",  "faces",  "patch_m",   "openings",
+                               "furniture", "surfaces", "lights", "north_deg", "receivers",
+                               "view",      "views",    "paint",  "scenarios", "judge"})) {
   room_.grid = grid;
 }
 
@@ -30,6 +30,7 @@ Room RoomReader::read() {
     read_wall_names();
     read_shell();
   }
+  read_north();
   read_openings();
   read_furniture();
   read_lights();

@@ -34,7 +34,8 @@ class RoomReader {
 
   struct LightEntry {
     spectra::JsonObject light;
-    spectra::JsonNode kind;  ///< the value of "panel", "opening", "point", "sun" or "luminaire"
+    spectra::JsonNode kind;  ///< the value of "panel", "opening", "point", "sun", "sky" or
+                             ///< "luminaire"
     std::string name;
   };
 
@@ -121,6 +122,29 @@ class RoomReader {
   [[nodiscard]] spectra::Spectrum emitted(const spectra::JsonObject& light,
                                           const AmountRules& rules);
 
+  // read_daylight.cpp
+  struct SunPlace {
+    double azimuth_deg = 0;  ///< clockwise from +y
+    double altitude_deg = 0;
+    int day = 1;  ///< of the year
+  };
+
+  void read_north();
+  [[nodiscard]] std::optional<SunPlace> read_sun_place(const spectra::JsonNode& node);
+  [[nodiscard]] std::optional<Glass> read_glass(const spectra::JsonNode& node);
+  void read_sky(const LightEntry& entry);
+  [[nodiscard]] static std::optional<Obstruction> read_obstruction(const spectra::JsonNode& node);
+  [[nodiscard]] SkyColour read_sky_colour(const spectra::JsonObject& light, bool overcast,
+                                          const spectra::JsonNode& place);
+  [[nodiscard]] static std::optional<Weather> read_weather(const spectra::JsonObject& sky, int type,
+                                                           int day);
+  [[nodiscard]] double read_sky_amount(const LightEntry& entry, const spectra::JsonObject& sky,
+                                       int type, const SkyPattern& pattern);
+  [[nodiscard]] spectra::Spectrum read_beam(const LightEntry& entry, const spectra::JsonObject& sky,
+                                            const SunPlace& place, double weather_lx);
+  [[nodiscard]] Sky sky_of(const LightEntry& entry, const spectra::JsonObject& node, int type,
+                           const SunPlace& place, double ground_reflectance);
+
   // read_luminaire.cpp
   void read_luminaire_light(const LightEntry& entry);
   /// Null after a fault.
@@ -162,6 +186,7 @@ class RoomReader {
   CurveReader curves_;
   spectra::JsonObject top_;
   Room room_;
+  double north_deg_ = 0;      ///< clockwise from +y
   bool walls_known_ = false;  ///< their number, hence their names
   bool plan_sound_ = false;   ///< a simple counter-clockwise polygon
   bool shell_sound_ = false;  ///< Room::shell is there, closed

@@ -85,14 +85,19 @@ ReducedViews reduce_views(const scenes::Room& room, const RoomTransport& transpo
   }
   views.room = reduce_room(transport.exchange, lights, painted, outputs, options);
 
-  // Point lights and the sun shine on the viewed points past all patches.
+  // Point lights, sun and skies shine on the viewed points, and skies into the eye, past all
+  // patches.
   const int stride = outputs_per_view(views.white_of_surfaces, views.room.groups);
   for (int v = 0; v < views.viewed; ++v) {
-    const ReceiverRow& row = transport.viewed[static_cast<std::size_t>(v)].row;
+    const ViewedWall& wall = transport.viewed[static_cast<std::size_t>(v)];
     for (std::size_t l = 0; l < count; ++l) {
+      const SeenSky& sky = wall.sky[first + l];
       for (int b = 0; b < room.grid.count; ++b) {
-        views.room.bands[static_cast<std::size_t>(b)].constant(v * stride, static_cast<Index>(l)) +=
-            row.direct[first + l][b];
+        auto of_light =
+            views.room.bands[static_cast<std::size_t>(b)].constant.col(static_cast<Index>(l));
+        of_light[v * stride] += wall.row.direct[first + l][b];
+        of_light[v * stride + 1] += sky.background[b];
+        of_light[v * stride + 2] += sky.field[b];
       }
     }
   }

@@ -15,7 +15,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 Bands first_shot(const scenes::Room& room, const scenes::PatchMesh& mesh) {
-  if (room.point_lights.empty() && room.suns.empty() && room.luminaires.empty()) {
+  if (room.point_lights.empty() && room.suns.empty() && room.luminaires.empty() &&
+      room.skies.empty()) {
     return Bands::Zero(mesh.size(), room.grid.count);
   }
   return DirectSources(room, Visibility(room, mesh)).on_patches(mesh, facets_of(mesh)).irradiance;

@@ -216,18 +216,21 @@ ViewedColours viewed_colours(const scenes::Room& room, const RoomTransport& tran
     const Vector3d v = solution.xyz_from_rgb * rgb;
     return spectra::Xyz{.x = v[0], .y = v[1], .z = v[2]};
   };
-  const auto seen = [&](const GatherRow& row) {
-    return xyz((row.weights.transpose() * solution.light.radiosity.radiosity.matrix()).transpose());
+  const auto sum = [](const spectra::Xyz& a, const spectra::Xyz& b) {
+    return spectra::Xyz{.x = a.x + b.x, .y = a.y + b.y, .z = a.z + b.z};
+  };
+  const auto seen = [&](const GatherRow& row, const ArrayXd& sky) {
+    const Vector3d rgb =
+        (row.weights.transpose() * solution.light.radiosity.radiosity.matrix()).transpose();
+    return sum(xyz(rgb), spectra::absolute_xyz({room.grid, sky}));
   };
   const auto surface = static_cast<std::size_t>(wall.at.surface);
   const Vector3d arriving = solution.light.viewed[viewed].irradiance;
   const spectra::Xyz shone = spectra::absolute_xyz(room.surfaces[surface].exitance);
   const spectra::Xyz reflected = xyz(solution.reflections[surface] * arriving);
-  return {.sample = {.x = shone.x + reflected.x,
-                     .y = shone.y + reflected.y,
-                     .z = shone.z + reflected.z},
-          .background = seen(wall.view.background),
-          .field = seen(wall.view.field),
+  return {.sample = sum(shone, reflected),
+          .background = seen(wall.view.background, wall.sky.front().background),
+          .field = seen(wall.view.field, wall.sky.front().field),
           .white = xyz(arriving)};
 }
 

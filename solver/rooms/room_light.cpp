@@ -119,8 +119,8 @@ spectra::ViewedLight viewed_light(const scenes::Room& room, const RoomTransport&
   const RadiositySolution& light = solution.radiosity;
   const ViewedWall& wall = transport.viewed.at(viewed);
   const auto on_grid = [&](ArrayXd values) { return Spectrum{room.grid, std::move(values)}; };
-  const auto seen = [&](const GatherRow& row) {
-    return on_grid((row.weights.transpose() * light.radiosity.matrix()).transpose().array());
+  const auto seen = [&](const GatherRow& row, const ArrayXd& sky) {
+    return on_grid((row.weights.transpose() * light.radiosity.matrix()).transpose().array() + sky);
   };
   const ArrayXd& irradiance = solution.viewed[viewed].irradiance;
   const ArrayXd& reflectance =
@@ -130,8 +130,8 @@ spectra::ViewedLight viewed_light(const scenes::Room& room, const RoomTransport&
       transport.lightings[solution.lighting].emission.row(patch - transport.mesh.surface.begin());
   LampLight lamps = lamp_light(room, transport, viewed, solution.lighting);
   return {.sample = on_grid(exitance + reflectance * irradiance),
-          .background = seen(wall.view.background),
-          .field = seen(wall.view.field),
+          .background = seen(wall.view.background, wall.sky[solution.lighting].background),
+          .field = seen(wall.view.field, wall.sky[solution.lighting].field),
           .white = room.viewing.white == spectra::ReferenceWhite::ideal
                        ? on_grid(irradiance)
                        : on_grid(white_of_surfaces(room, transport, solution, wall)),

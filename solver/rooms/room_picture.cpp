@@ -42,14 +42,16 @@ struct RoomPicture::Scene {
   Scene(const scenes::Room& room, const RoomTransport& transport, const RoomSolution& solution,
         const Camera& of_camera, const PictureOptions& options);
 
-  [[nodiscard]] ArrayXd reflected_at(std::size_t facet, const Vector3d& point) const {
+  /// Light without sharp shadows: what is reflected, and what comes from skies.
+  [[nodiscard]] ArrayXd soft_at(std::size_t facet, const Vector3d& point) const {
     const Eigen::VectorXd weights = gather.row(point, facets[facet].normal).weights;
-    return (reflected.matrix().transpose() * weights).array();
+    return (reflected.matrix().transpose() * weights).array() +
+           sources.skylight_at(point, facets[facet].normal);
   }
 
-  /// Of lamps of every kind, at a point.
-  [[nodiscard]] ArrayXd direct_at(std::size_t facet, const Vector3d& point) const {
-    ArrayXd light = sources.at_point(point, facets[facet].normal);
+  /// Of lamps of every other kind, at a point.
+  [[nodiscard]] ArrayXd sharp_at(std::size_t facet, const Vector3d& point) const {
+    ArrayXd light = sources.sharp_at(point, facets[facet].normal);
     lamps.add(point, facets[facet].normal, light);
     return light;
   }
@@ -60,8 +62,11 @@ struct RoomPicture::Scene {
   /// Irradiance of what a fragment shows, mean over it.
   [[nodiscard]] ArrayXd irradiance(std::size_t facet, const Fragment& fragment, bool exact) const;
   [[nodiscard]] Vector3d on_facet(std::size_t facet, const Eigen::Vector2d& film) const;
-  /// Calls take(column, area, irradiance, facet) for all that a row shows in columns from `first`
-  /// to before `end`.
+  /// Radiosity of what a fragment shows, lit like that.
+  [[nodiscard]] ArrayXd radiosity(std::size_t facet, const Fragment& fragment,
+                                  const ArrayXd& light) const;
+  /// Calls take(column, area, irradiance, radiosity) for all that a row shows in columns from
+  /// `first` to before `end`.
   template <typename Take>
   void for_each_part(int row, int first, int end, bool exact, const Take& take) const;
 
@@ -69,6 +74,7 @@ struct RoomPicture::Scene {
   scenes::PatchMesh faces;
   std::vector<Facet> facets, patch_facets;
   std::vector<ArrayXd> exitance, reflectance;  ///< of each facet
+  std::vector<char> opening;                   ///< whether each facet is part of one
   ArrayXd lux;
   Visibility visibility;
   std::optional<SlopeMoments> slopes;
@@ -144,14 +150,18 @@ RoomPicture::Scene::Scene(const scenes::Room& room, const RoomTransport& transpo
       hidden(visibility.blockers(), from_point(camera.eye_m())),
       view(view_planes(camera)),
       pieces(film_pieces(camera, facets, visibility.blockers())) {
+  for (const int s : faces.surface) {
+    opening.push_back(room.surfaces[static_cast<std::size_t>(s)].kind ==
+                      scenes::SurfaceKind::opening);
+  }
   field.emplace(facets, rules(options));
 }
 
 RefinedField::Rules RoomPicture::Scene::rules(const PictureOptions& options) const {
   return {.sample =
               [this](std::size_t facet, const Vector3d& point) {
-                RefinedField::Sample sample{.values = reflected_at(facet, point)};
-                const ArrayXd all = sample.values + direct_at(facet, point);
+                RefinedField::Sample sample{.values = soft_at(facet, point)};
+                const ArrayXd all = sample.values + sharp_at(facet, point);
                 sample.scale = std::sqrt(all.square().mean());
                 return sample;
               },
@@ -198,12 +208,12 @@ ArrayXd RoomPicture::Scene::irradiance(std::size_t facet, const Fragment& fragme
   const Vector3d point = on_facet(facet, fragment.middle), &normal = facets[facet].normal;
   ArrayXd light = ArrayXd::Zero(lux.size());
   if (exact) {
-    light = reflected_at(facet, point);
+    light = soft_at(facet, point);
   } else {
     field->add(facet, point, light);
   }
   lamps.add(point, normal, light);
-  if (!sources.empty()) {
+  if (!sources.empty_but_for_skies()) {
     std::vector<Vector3d> polygon;
     for (const Eigen::Vector2d& corner : fragment.outline) {
       polygon.push_back(on_facet(facet, corner));
@@ -213,13 +223,24 @@ ArrayXd RoomPicture::Scene::irradiance(std::size_t facet, const Fragment& fragme
   return light;
 }
 
+ArrayXd RoomPicture::Scene::radiosity(std::size_t facet, const Fragment& fragment,
+                                      const ArrayXd& light) const {
+  ArrayXd shown = exitance[facet] + reflectance[facet] * light;
+  if (opening[facet]) {
+    shown += pi * sources.radiance(camera.eye_m(), on_facet(facet, fragment.middle),
+                                   faces.surface[facet]);
+  }
+  return shown;
+}
+
 template <typename Take>
 void RoomPicture::Scene::for_each_part(int row, int first, int end, bool exact,
                                        const Take& take) const {
   for (const FilmPiece& piece : pieces) {
     for_each_fragment(piece, row, [&](const Fragment& fragment) {
       if (fragment.column < first || fragment.column >= end) return;
-      take(fragment.column, fragment.area, irradiance(piece.facet, fragment, exact), piece.facet);
+      const ArrayXd light = irradiance(piece.facet, fragment, exact);
+      take(fragment.column, fragment.area, light, radiosity(piece.facet, fragment, light));
     });
   }
 }
@@ -236,10 +257,9 @@ PictureRows RoomPicture::rows(int first, int count) const {
   PictureRows picture{.radiance = Bands::Zero(Eigen::Index{count} * width, scene_->lux.size()),
                       .illuminance = ArrayXd::Zero(Eigen::Index{count} * width)};
   tbb::parallel_for(0, count, [&](int k) {
-    const auto take = [&](int column, double area, const ArrayXd& light, std::size_t facet) {
+    const auto take = [&](int column, double area, const ArrayXd& light, const ArrayXd& shown) {
       const Eigen::Index pixel = Eigen::Index{k} * width + column;
-      picture.radiance.row(pixel) +=
-          (area / pi * (scene_->exitance[facet] + scene_->reflectance[facet] * light)).transpose();
+      picture.radiance.row(pixel) += (area / pi * shown).transpose();
       picture.illuminance[pixel] += area * (scene_->lux * light).sum();
     };
     scene_->for_each_part(first + k, 0, width, false, take);
@@ -249,12 +269,10 @@ PictureRows RoomPicture::rows(int first, int count) const {
 
 BandRow RoomPicture::gathered(int column, int row) const {
   BandRow radiance = BandRow::Zero(scene_->lux.size());
-  scene_->for_each_part(
-      row, column, column + 1, true,
-      [&](int, double area, const ArrayXd& light, std::size_t facet) {
-        radiance += (area / pi * (scene_->exitance[facet] + scene_->reflectance[facet] * light))
-                        .transpose();
-      });
+  scene_->for_each_part(row, column, column + 1, true,
+                        [&](int, double area, const ArrayXd&, const ArrayXd& shown_here) {
+                          radiance += (area / pi * shown_here).transpose();
+                        });
   return radiance;
 }
 
@@ -266,12 +284,10 @@ PictureCheck RoomPicture::check(int pixels) const {
     const int row = static_cast<int>(sequence(k, 1) * scene_->camera.height());
     const BandRow truth = gathered(column, row);
     BandRow shown = BandRow::Zero(truth.size());
-    scene_->for_each_part(
-        row, column, column + 1, false,
-        [&](int, double area, const ArrayXd& light, std::size_t facet) {
-          shown += (area / pi * (scene_->exitance[facet] + scene_->reflectance[facet] * light))
-                       .transpose();
-        });
+    scene_->for_each_part(row, column, column + 1, false,
+                          [&](int, double area, const ArrayXd&, const ArrayXd& shown_here) {
+                            shown += (area / pi * shown_here).transpose();
+                          });
     const double size = truth.square().mean();
     error[k] = size > 0 ? std::sqrt((shown - truth).square().mean() / size) : 0;
   });

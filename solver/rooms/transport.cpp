@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "solver/bounce/repeated_bands.h"
 #include "solver/exchange/exchange.h"
@@ -16,6 +17,8 @@
 
 namespace solver {
 namespace {
+
+using Eigen::ArrayXd;
 
 constexpr int kMostPlannedRows = 2000;  ///< rows whose pairs the plan counts
 /// Seconds of one core, measured on a 2.5 GHz server core: a guide for people, nothing depends on
@@ -64,9 +67,16 @@ Bands lights_of(const scenes::Room& room) {
   for (const scenes::PointLight& p : room.point_lights) all.push_back(&p.spectral_flux);
   for (const scenes::Sun& s : room.suns) all.push_back(&s.normal_irradiance);
   for (const scenes::PlacedLuminaire& l : room.luminaires) all.push_back(&l.spectral_flux);
-  Bands lights(static_cast<Eigen::Index>(all.size()), room.grid.count);
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    lights.row(static_cast<Eigen::Index>(k)) = all[k]->values.transpose();
+  const auto count = static_cast<Eigen::Index>(all.size());
+  const auto skies = static_cast<Eigen::Index>(room.skies.size());
+  Bands lights(count + skies, room.grid.count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    lights.row(k) = all[static_cast<std::size_t>(k)]->values.transpose();
+  }
+  for (Eigen::Index k = 0; k < skies; ++k) {
+    const scenes::Sky& sky = room.skies[static_cast<std::size_t>(k)];
+    lights.row(count + k) =
+        sky.cd_m2 * sky.scale * sky.components.rowwise().sum().transpose().array();
   }
   return lights;
 }
@@ -106,6 +116,24 @@ Lighting lighting_of(const scenes::Room& lit, const DirectSources& sources,
   return {.emission = emission_of(lit, mesh, bases.empty() ? 1 : SlopeBasis::kModes),
           .direct = std::move(direct.irradiance),
           .direct_scaling = direct.largest_scaling()};
+}
+
+/// What a row of means over directions has of the sky in openings, pi times radiance.
+ArrayXd seen_sky(const GatherRow& row, const Eigen::Vector3d& eye_m, const scenes::Room& room,
+                 const scenes::PatchMesh& mesh, const DirectSources& sources) {
+  ArrayXd sum = ArrayXd::Zero(room.grid.count);
+  if (!sources.has_skies()) return sum;
+  for (int p = 0; p < mesh.size(); ++p) {
+    const auto i = static_cast<std::size_t>(p);
+    if (surface_of(room, mesh, p).kind != scenes::SurfaceKind::opening || row.weights[p] == 0) {
+      continue;
+    }
+    for (const QuadraturePoint& at : quadrature(mesh.polygon[i], 2)) {
+      sum += row.weights[p] * at.weight_m2 / mesh.area_m2[i] * std::numbers::pi *
+             sources.radiance(eye_m, at.position, mesh.surface[i]);
+    }
+  }
+  return sum;
 }
 
 std::vector<ViewedPoint> default_views(const scenes::Room& room) {
@@ -264,10 +292,16 @@ RoomTransport prepare_transport(const scenes::Room& room, const TransportOptions
     t.receivers[k] = row(r.at_m, r.normal.normalized());
   });
   for (const ViewedPoint& at : options.views.empty() ? default_views(room) : options.views) {
-    t.viewed.push_back(
-        {.at = at,
-         .row = row(at.point_m, at.normal),
-         .view = options.eye ? view_rows(at.eye_m, at.point_m, t.mesh, bases) : ViewRows{}});
+    ViewedWall wall{
+        .at = at,
+        .row = row(at.point_m, at.normal),
+        .view = options.eye ? view_rows(at.eye_m, at.point_m, t.mesh, bases) : ViewRows{}};
+    for (const DirectSources& s : sources) {
+      if (!options.eye) continue;
+      wall.sky.push_back({.background = seen_sky(wall.view.background, at.eye_m, room, t.mesh, s),
+                          .field = seen_sky(wall.view.field, at.eye_m, room, t.mesh, s)});
+    }
+    t.viewed.push_back(std::move(wall));
   }
   t.seconds["gather"] = watch.lap();
   return t;

@@ -33,11 +33,17 @@ struct Lighting {
   double direct_scaling = 0;  ///< how much the flux of point lights and sun had to be mended
 };
 
+/// What an eye takes in of the sky: means as in ViewRows, pi times radiance, W m^-2 nm^-1.
+struct SeenSky {
+  Eigen::ArrayXd background, field;
+};
+
 /// A point of a surface that somebody looks at.
 struct ViewedWall {
   ViewedPoint at;
-  ReceiverRow row;  ///< its irradiance
-  ViewRows view;    ///< what else the eye takes in
+  ReceiverRow row;           ///< its irradiance
+  ViewRows view;             ///< what else the eye takes in
+  std::vector<SeenSky> sky;  ///< and through openings, per lighting
 };
 
 /// Everything about a room that does not depend on reflectances. Built once per geometry and its

@@ -37,11 +37,50 @@ std::vector<SunBeam> beams(const scenes::Room& room, const std::vector<Blocker>&
         const double side = inward.dot(glass.centre - a) > 0 ? 1 : -1;
         beam.sides.push_back({side * inward, side * inward.dot(a)});
       }
-      beam.normal_irradiance = sun.normal_irradiance.values * opening.transmittance.values;
+      beam.normal_irradiance =
+          sun.normal_irradiance.values *
+          (opening.glass ? opening.glass->transmittance(-glass.normal.dot(to_sun))
+                         : opening.transmittance.values);
       all.push_back(std::move(beam));
     }
   }
   return all;
+}
+
+/// Of skies that shine.
+std::vector<WindowLight> windows(const scenes::Room& room, const Visibility& visibility) {
+  std::vector<WindowLight> all;
+  std::shared_ptr<const Visibility> shared;
+  for (const scenes::Sky& sky : room.skies) {
+    if (!(sky.scale > 0) || !(sky.cd_m2 > 0)) continue;
+    if (!shared) shared = std::make_shared<const Visibility>(visibility);
+    for (int s = 0; s < static_cast<int>(room.surfaces.size()); ++s) {
+      if (room.surfaces[static_cast<std::size_t>(s)].kind == scenes::SurfaceKind::opening) {
+        all.emplace_back(room, s, sky, shared);
+      }
+    }
+  }
+  return all;
+}
+
+/// Adds a sky's light through a window, scaled in each band to what comes in.
+void add_skylight(const WindowLight& window, const scenes::PatchMesh& mesh,
+                  const std::vector<Facet>& facets, const std::vector<SlopeBasis>& bases,
+                  DirectLight& light) {
+  const auto n = static_cast<Eigen::Index>(facets.size());
+  Bands arriving = window.on_facets(facets, bases);
+  double open_area_m2 = 0;  // of the opening's patches: furniture may cover a part
+  BandRow sum = BandRow::Zero(arriving.cols());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto patch = static_cast<std::size_t>(i);
+    if (mesh.surface[patch] == window.surface()) open_area_m2 += facets[patch].area_m2;
+    sum += facets[patch].area_m2 * arriving.row(i);
+  }
+  const BandRow whole = open_area_m2 * window.entering().transpose();
+  const BandRow scaling = (sum > 0).select(whole / sum, BandRow::Ones(sum.size()));
+  arriving.rowwise() *= scaling;
+  light.irradiance += arriving;
+  light.scaling.push_back(sum.sum() > 0 ? whole.sum() / sum.sum() : 1);
 }
 
 /// What a source sends to a patch, of its own measure of flux: in all, and with psi_1 and psi_2.
@@ -181,6 +220,7 @@ DirectSources::DirectSources(const scenes::Room& room, const Visibility& visibil
   for (const scenes::PlacedLuminaire& luminaire : room.luminaires) {
     luminaires_.emplace_back(luminaire, visibility.blockers());
   }
+  windows_ = windows(room, visibility);
 }
 
 double DirectLight::largest_scaling() const {
@@ -195,6 +235,7 @@ DirectSources DirectSources::scaled(const std::vector<double>& by) const {
   for (PointSource& lamp : sources.lamps_) lamp.intensity *= by.at(k++);
   for (SunBeam& beam : sources.beams_) beam.normal_irradiance *= by.at(k++);
   for (LuminaireSource& luminaire : sources.luminaires_) luminaire.scale(by.at(k++));
+  for (WindowLight& window : sources.windows_) window.scale(by.at(k++));
   return sources;
 }
 
@@ -232,10 +273,29 @@ DirectLight DirectSources::on_patches(const scenes::PatchMesh& mesh,
     for (const Share& share : flux) arriving_lm += share[0];
     spread(flux, luminaire.flux_lm(facets, arriving_lm), luminaire.per_lumen(), facets, light);
   }
+  for (const WindowLight& window : windows_) add_skylight(window, mesh, facets, bases, light);
   return light;
 }
 
+ArrayXd DirectSources::skylight_at(const Vector3d& point, const Vector3d& normal) const {
+  ArrayXd irradiance = ArrayXd::Zero(bands_);
+  for (const WindowLight& window : windows_) irradiance += window.at_point(point, normal);
+  return irradiance;
+}
+
+ArrayXd DirectSources::radiance(const Vector3d& point, const Vector3d& pane, int surface) const {
+  ArrayXd radiance = ArrayXd::Zero(bands_);
+  for (const WindowLight& window : windows_) {
+    if (window.surface() == surface) radiance += window.radiance(point, pane);
+  }
+  return radiance;
+}
+
 ArrayXd DirectSources::at_point(const Vector3d& point, const Vector3d& normal) const {
+  return sharp_at(point, normal) + skylight_at(point, normal);
+}
+
+ArrayXd DirectSources::sharp_at(const Vector3d& point, const Vector3d& normal) const {
   ArrayXd irradiance = ArrayXd::Zero(bands_);
   for (const PointSource& lamp : lamps_) {
     if (!lamp.shadows.contain(point)) irradiance += lamp_light(lamp, point, normal);

@@ -8,19 +8,21 @@
 #include "solver/factors/slope_basis.h"
 #include "solver/obstacles/visibility.h"
 #include "solver/sources/luminaire_light.h"
+#include "solver/sources/window_light.h"
 
 namespace solver {
 
 /// Light from sources that are no patches, the paper's "first shot" [Neumann2004] 4.2: point
-/// lights, luminaires, and the sun through openings.
+/// lights, luminaires, and sun and sky through openings.
 
 /// Area means over the patches, patch x band, and, where bases are given, below them the means with
 /// psi_1, then with psi_2. Solid angles, lit polygons, their moments, and shadows are exact, the
-/// light of luminaires is integrated by quadrature; each source is then scaled, by what rounding or
-/// quadrature leaves, so that all its flux arrives in the closed room.
+/// light of luminaires and of the sky is integrated by quadrature; each source is then scaled, by
+/// what rounding or quadrature leaves, so that all its flux arrives in the closed room.
 struct DirectLight {
   Bands irradiance;
-  /// Of each point light, then of each sun through each opening, then of each luminaire.
+  /// Of each point light, then of each sun through each opening, each luminaire, each sky through
+  /// each opening.
   std::vector<double> scaling;
 
   /// max |scale - 1|
@@ -60,21 +62,35 @@ class DirectSources {
   [[nodiscard]] Eigen::ArrayXd at_point(const Eigen::Vector3d& point,
                                         const Eigen::Vector3d& normal) const;
 
-  /// Mean irradiance over a polygon that is small, like a pixel: the light is that of its middle,
-  /// but where the edge of a shadow crosses it, of the middles of what is lit.
+  /// The parts of it: from skies, which throw no sharp shadows, and from all others.
+  [[nodiscard]] Eigen::ArrayXd sharp_at(const Eigen::Vector3d& point,
+                                        const Eigen::Vector3d& normal) const;
+  [[nodiscard]] Eigen::ArrayXd skylight_at(const Eigen::Vector3d& point,
+                                           const Eigen::Vector3d& normal) const;
+
+  /// Radiance per band that a point sees of the sky in `pane`, a point of an opening.
+  [[nodiscard]] Eigen::ArrayXd radiance(const Eigen::Vector3d& point, const Eigen::Vector3d& pane,
+                                        int surface) const;
+
+  /// Mean irradiance without skylight over a polygon that is small, like a pixel: the light is that
+  /// of its middle, but where the edge of a shadow crosses it, of the middles of what is lit.
   [[nodiscard]] Eigen::ArrayXd over(const std::vector<Eigen::Vector3d>& polygon,
                                     const Eigen::Vector3d& middle,
                                     const Eigen::Vector3d& normal) const;
 
-  [[nodiscard]] bool empty() const {
+  /// Whether there is none but skies.
+  [[nodiscard]] bool empty_but_for_skies() const {
     return lamps_.empty() && beams_.empty() && luminaires_.empty();
   }
+
+  [[nodiscard]] bool has_skies() const { return !windows_.empty(); }
 
  private:
   Eigen::Index bands_;
   std::vector<PointSource> lamps_;
   std::vector<SunBeam> beams_;
   std::vector<LuminaireSource> luminaires_;
+  std::vector<WindowLight> windows_;  ///< each sky through each opening
 };
 
 /// Solid angle of a polygon that shows its front to the point, sr [VanOosterom1983].

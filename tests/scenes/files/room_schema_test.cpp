@@ -57,6 +57,12 @@ const std::vector<SchemaObject> kObjects{
     {"preset", "/lights/0/spectrum", R"({"preset": 0})"},
     {"light", "/lights/0", "{}"},
     {"panel", "/lights/0/panel", "{}"},
+    {"glass", "/openings/0/glass", "{}"},
+    {"sky", "/lights/0/sky", "{}"},
+    {"sky_sun", "/lights/0/sky/sun", "{}"},
+    {"obstruction", "/lights/0/sky/obstruction", "{}"},
+    {"sun_time", "/lights/0/at", "{}"},
+    {"sun_place", "/lights/0/at", R"({"azimuth_deg": 0})"},
     {"point", "/lights/0/point", "{}"},
     {"sun", "/lights/0/sun", "{}"},
     {"luminaire", "/lights/0/luminaire", "{}"},
@@ -86,8 +92,13 @@ json room_with_unknown_key(const SchemaObject& object) {
   }
   if (object.definition == "roof_plane") room["ceiling"] = {{"planes", json::array({0})}};
   if (object.definition == "face") room["faces"] = json::array({0, 0, 0, 0});
-  for (const char* kind : {"point", "sun", "luminaire"}) {
+  for (const char* kind : {"point", "sun", "luminaire", "sky", "sky_sun", "obstruction"}) {
     if (object.definition == kind) room["lights"][0].erase("panel");
+  }
+  if (object.place.starts_with("/lights/0/sky/") || object.place == "/lights/0/at") {
+    room["lights"][0].erase("panel");
+    room["lights"][0]["sky"] = {{"type", "cie:12"}};
+    room["lights"][0]["at"] = {{"azimuth_deg", 0}, {"altitude_deg", 30}};
   }
   room[place] = json::parse(object.sample);
   room[place]["qqq"] = 0;
