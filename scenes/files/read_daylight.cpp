@@ -53,6 +53,7 @@ std::optional<RoomReader::SunPlace> RoomReader::read_sun_place(const JsonNode& n
     if (!std::isfinite(azimuth_deg + altitude_deg)) return std::nullopt;
     return SunPlace{azimuth_deg, altitude_deg, day ? day->whole_number(1, 366) : 1};
   }
+  if (node.has("epw")) return read_weather_hour(node);
   const JsonObject place = node.object({"lat", "lon", "time"});
   const double latitude_deg = place.number("lat", {.least = -90, .most = 90}),
                longitude_deg = place.number("lon", {.least = -180, .most = 180});
@@ -67,6 +68,44 @@ std::optional<RoomReader::SunPlace> RoomReader::read_sun_place(const JsonNode& n
   const SunPosition sun = sun_position(latitude_deg, longitude_deg, *moment);
   return SunPlace{std::fmod(sun.azimuth_deg + north_deg_, 360), sun.altitude_deg,
                   moment->day_of_year};
+}
+
+std::optional<RoomReader::SunPlace> RoomReader::read_weather_hour(const JsonNode& node) {
+  const JsonObject entry = node.object({"epw", "hour"});
+  const auto path_node = entry.need("epw"), hour_node = entry.need("hour");
+  const std::string path = path_node ? path_node->name() : "";
+  const int number = hour_node ? hour_node->whole_number(1, 10'000'000) : 0;
+  if (path.empty() || number == 0) return std::nullopt;
+  const WeatherFile* file = weather_file(*path_node, curves_.resolve(path));
+  if (file == nullptr) return std::nullopt;
+  if (static_cast<std::size_t>(number) > file->hours.size()) {
+    hour_node->fault(fmt::format("{} has {} hours", path, file->hours.size()),
+                     "count them from 1, the first after midnight of January 1st");
+    return std::nullopt;
+  }
+  const WeatherHour& hour = file->hours[static_cast<std::size_t>(number) - 1];
+  const SunPosition sun = sun_position(file->latitude_deg, file->longitude_deg, hour.moment);
+  room_.notes.push_back(fmt::format("{}: {}, {:02}-{:02}, {}:00 to {}:00 standard time",
+                                    node.pointer(), file->place, hour.month, hour.day,
+                                    hour.hour - 1, hour.hour));
+  return SunPlace{std::fmod(sun.azimuth_deg + north_deg_, 360), sun.altitude_deg,
+                  hour.weather.day_of_year, hour.weather};
+}
+
+/// Null after a fault.
+const WeatherFile* RoomReader::weather_file(const JsonNode& node, const std::string& path) {
+  const auto known = weather_files_.find(path);
+  if (known != weather_files_.end()) return known->second ? &*known->second : nullptr;
+  std::optional<WeatherFile>& file = weather_files_[path];
+  try {
+    file = read_epw(path);
+  } catch (const spectra::FileError& error) {
+    node.fault(error.what(), "give a path relative to the folder of this file");
+  } catch (const spectra::InputError& error) {
+    file_.add(error.faults());
+    node.fault(fmt::format("{} is faulty", path), "mend that file");
+  }
+  return file ? &*file : nullptr;
 }
 
 std::optional<Glass> RoomReader::read_glass(const JsonNode& node) {
@@ -121,7 +160,14 @@ SkyColour RoomReader::read_sky_colour(const JsonObject& light, bool overcast,
   return {.spectrum = spectra::light_on(curves_.grid(), spectra::daylight(cct_K))};
 }
 
-std::optional<Weather> RoomReader::read_weather(const JsonObject& sky, int type, int day) {
+std::optional<Weather> RoomReader::read_weather(const JsonObject& sky, int type,
+                                                const SunPlace& place) {
+  if (place.weather) {
+    for (const char* key : {"direct_normal_W_m2", "diffuse_horizontal_W_m2", "dew_point_C"}) {
+      if (const auto node = sky.find(key)) node->fault("the weather file says it", "leave it out");
+    }
+    if (type == 0) return place.weather;
+  }
   if (type != 0) {
     for (const char* key : {"direct_normal_W_m2", "diffuse_horizontal_W_m2", "dew_point_C"}) {
       if (const auto node = sky.find(key)) {
@@ -133,7 +179,7 @@ std::optional<Weather> RoomReader::read_weather(const JsonObject& sky, int type,
   Weather weather{
       .direct_normal_W_m2 = sky.number("direct_normal_W_m2", kIrradiance_W_m2),
       .diffuse_horizontal_W_m2 = sky.number("diffuse_horizontal_W_m2", kIrradiance_W_m2),
-      .day_of_year = day};
+      .day_of_year = place.day};
   if (sky.has("dew_point_C")) {
     weather.precipitable_water_cm =
         precipitable_water_cm(sky.number("dew_point_C", {.least = -90, .most = 50}));
@@ -236,7 +282,7 @@ Sky RoomReader::sky_of(const LightEntry& entry, const JsonObject& node, int type
   const bool night = place.altitude_deg <= 0;
   const Vector3d to_sun =
       direction_of(place.azimuth_deg, night ? 90 : place.altitude_deg);  // any, where it is dark
-  const std::optional<Weather> weather = read_weather(node, type, place.day);
+  const std::optional<Weather> weather = read_weather(node, type, place);
   SkyPattern pattern = cie_sky(type > 0 ? type : 5, to_sun);
   bool overcast = is_overcast(type);
   double horizontal_lx = read_sky_amount(entry, node, type, pattern), beam_lx = NAN;

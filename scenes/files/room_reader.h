@@ -15,6 +15,7 @@
 #include "scenes/room.h"
 #include "scenes/shapes/enclosure.h"
 #include "scenes/shapes/roof.h"
+#include "scenes/skies/epw_reader.h"
 
 namespace scenes {
 
@@ -126,18 +127,22 @@ class RoomReader {
   struct SunPlace {
     double azimuth_deg = 0;  ///< clockwise from +y
     double altitude_deg = 0;
-    int day = 1;  ///< of the year
+    int day = 1;                          ///< of the year
+    std::optional<Weather> weather = {};  ///< of a weather file
   };
 
   void read_north();
   [[nodiscard]] std::optional<SunPlace> read_sun_place(const spectra::JsonNode& node);
+  [[nodiscard]] std::optional<SunPlace> read_weather_hour(const spectra::JsonNode& node);
+  [[nodiscard]] const WeatherFile* weather_file(const spectra::JsonNode& node,
+                                                const std::string& path);
   [[nodiscard]] std::optional<Glass> read_glass(const spectra::JsonNode& node);
   void read_sky(const LightEntry& entry);
   [[nodiscard]] static std::optional<Obstruction> read_obstruction(const spectra::JsonNode& node);
   [[nodiscard]] SkyColour read_sky_colour(const spectra::JsonObject& light, bool overcast,
                                           const spectra::JsonNode& place);
   [[nodiscard]] static std::optional<Weather> read_weather(const spectra::JsonObject& sky, int type,
-                                                           int day);
+                                                           const SunPlace& place);
   [[nodiscard]] double read_sky_amount(const LightEntry& entry, const spectra::JsonObject& sky,
                                        int type, const SkyPattern& pattern);
   [[nodiscard]] spectra::Spectrum read_beam(const LightEntry& entry, const spectra::JsonObject& sky,
@@ -202,6 +207,7 @@ class RoomReader {
   std::map<std::string, std::vector<std::string>> materials_;       ///< of meshes that have several
   std::vector<std::optional<spectra::Spectrum>> opening_exitance_;  ///< of those that are lit
   std::map<std::string, std::shared_ptr<const Luminaire>> luminaire_files_;
+  std::map<std::string, std::optional<WeatherFile>> weather_files_;
   std::vector<Lamp> lamps_;  ///< as room_.panels
 };
 

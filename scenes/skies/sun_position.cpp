@@ -87,7 +87,6 @@ std::optional<Moment> read_moment(std::string_view iso8601) {
   const auto zone = read_zone(text);
   if (!zone || !text.at_end()) return std::nullopt;
   if (*hour == 24 && *minute + second > 0) return std::nullopt;
-  constexpr double kJulianDayOf1970 = 2440587.5;
   const sys_days since_1970{date};
   const double whole_days = static_cast<double>(since_1970.time_since_epoch().count());
   const double minutes = 60.0 * *hour + *minute + second / 60 - *zone;

@@ -11,6 +11,8 @@ struct Moment {
   int day_of_year = 1;  ///< where its zone is
 };
 
+inline constexpr double kJulianDayOf1970 = 2440587.5;
+
 /// "2024-06-01T10:00:00+02:00": date, time and zone, seconds as one likes, "Z" for universal time.
 /// Nothing if it is anything else; local time without its zone is.
 [[nodiscard]] std::optional<Moment> read_moment(std::string_view iso8601);

@@ -36,6 +36,10 @@ const std::vector<CheckGroup>& battery() {
       {"CIE 171 5.6", check_cie171_5_6},
       {"CIE 171 5.7", check_cie171_5_7},
       {"CIE 171 5.8", check_cie171_5_8},
+      {"CIE 171 5.9", check_daylight_roof},
+      {"CIE 171 5.11", check_daylight_facade},
+      {"daylight", check_daylight_flux},
+      {"sun", check_sun_position},
   };
   return kGroups;
 }

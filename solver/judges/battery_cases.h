@@ -27,6 +27,10 @@ std::vector<Check> check_cie171_5_4();
 std::vector<Check> check_cie171_5_6();
 std::vector<Check> check_cie171_5_7();
 std::vector<Check> check_cie171_5_8();
+std::vector<Check> check_daylight_roof();
+std::vector<Check> check_daylight_facade();
+std::vector<Check> check_daylight_flux();
+std::vector<Check> check_sun_position();
 
 /// The pair that errs most.
 [[nodiscard]] Check worst_of(const Check& what, const Eigen::ArrayXd& expected,

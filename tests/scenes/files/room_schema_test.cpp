@@ -62,6 +62,7 @@ const std::vector<SchemaObject> kObjects{
     {"sky_sun", "/lights/0/sky/sun", "{}"},
     {"obstruction", "/lights/0/sky/obstruction", "{}"},
     {"sun_time", "/lights/0/at", "{}"},
+    {"weather_hour", "/lights/0/at", R"({"epw": 0})"},
     {"sun_place", "/lights/0/at", R"({"azimuth_deg": 0})"},
     {"point", "/lights/0/point", "{}"},
     {"sun", "/lights/0/sun", "{}"},
