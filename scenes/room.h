@@ -11,7 +11,7 @@
 #include "scenes/geometry/outline.h"
 #include "scenes/luminaires/luminaire.h"
 #include "scenes/skies/glass.h"
-#include "scenes/skies/sky.h"
+#include "scenes/skies/weather_sky.h"
 
 namespace scenes {
 
@@ -179,7 +179,8 @@ struct Room {
   std::vector<Surface> surfaces;
   std::vector<PointLight> point_lights;
   std::vector<Sun> suns;
-  std::vector<Sky> skies;  ///< seen through all openings
+  std::vector<Sky> skies;                 ///< seen through all openings
+  std::vector<WeatherSky> weather_skies;  ///< of which of them are hours of a weather file
   std::vector<PlacedLuminaire> luminaires;
   std::vector<Receiver> receivers;
   std::optional<View> view;

@@ -221,6 +221,27 @@ void add_room_commands(CLI::App& program, CommandLine& line) {
   add_mesh_options(solve.app(), solved->options);
   add_colour_option(solve.app(), *solved);
 
+  Subcommand daylight(program, "daylight",
+                      "The light at receivers hour by hour of a weather file: daylight.csv, "
+                      "daylight_summary.csv",
+                      "scenes/rooms/day.json --out out/day");
+  const auto hours = daylight.runs(daylight_hours, line);
+  daylight.app()
+      .add_option("ROOM", hours->room, "room file with a sky from a weather file")
+      ->required();
+  add_out(daylight.app(), hours->out);
+  add_options(daylight.app(), hours->options);
+  daylight.app()
+      .add_option_function<std::vector<int>>(
+          "--hours",
+          [hours = &*hours](const std::vector<int>& ends) {
+            hours->hours = {ends[0], ends[1]};
+          },
+          "FIRST,LAST hour of the file, from 1 (default: all)")
+      ->expected(2)
+      ->delimiter(',')
+      ->check(CLI::Range(1, 10000000));
+
   Subcommand shift(program, "shift",
                    "Each painted surface as on the swatch and as in the room: shift.csv",
                    "scenes/rooms/office.json --out out/office");
@@ -330,6 +351,25 @@ void add_file_commands(CLI::App& program, CommandLine& line) {
           "CSV, CxF3, CGATS or QTX; FILE?KEY=VALUE,... chooses where it leaves two readings")
       ->required();
   paints.app().add_option("--out", listed->out, "write them as .csv, .cxf, .ase or .gpl");
+
+  Subcommand lamp(program, "lamp",
+                  "What is in a photometric file: flux by zones, efficacy, beam and field angles, "
+                  "size; and a polar diagram",
+                  "lamp.ies --out lamp.svg");
+  const auto described = lamp.runs(describe_lamp, line);
+  lamp.app().add_option("FILE", described->in, "IES LM-63 (.ies) or EULUMDAT (.ldt)")->required();
+  lamp.app().add_option("--out", described->out, "the polar diagram, .svg");
+
+  Subcommand sky(program, "sky",
+                 "An hour of a weather file: where the sun stands, how bright sun and sky are, and "
+                 "the light for a room file",
+                 "--epw berlin.epw --hour 4092");
+  const auto hour = sky.runs(describe_sky, line);
+  sky.app().add_option("--epw", hour->weather, "EnergyPlus weather file")->required();
+  sky.app()
+      .add_option("--hour", hour->hour, "of the year, from 1")
+      ->required()
+      ->check(CLI::Range(1, 10000000));
 
   Subcommand import(program, "import",
                     "A room file from a room of a building model (Honeybee's HBJSON)",

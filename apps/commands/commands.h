@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "appearance/display.h"
@@ -41,6 +42,17 @@ struct MixCommand {
 struct FileCommand {
   std::string in, out;
   bool inverse = false;  ///< appearance only
+};
+
+struct DaylightCommand {
+  std::string room, out;
+  RoomOptions options;
+  std::optional<std::pair<int, int>> hours;  ///< first and last, from 1; none: the whole file
+};
+
+struct SkyCommand {
+  std::string weather;  ///< an .epw file
+  int hour = 1;         ///< of it, from 1
 };
 
 using Colour = std::array<double, 3>;  ///< red, green, blue
@@ -95,6 +107,9 @@ Exit invert_room(const RankCommand& command, const Session& session);
 Exit batch_rooms(const RankCommand& command, const Session& session);
 Exit convert_table(const FileCommand& command, const Session& session);
 Exit list_paints(const FileCommand& command, const Session& session);
+Exit describe_lamp(const FileCommand& command, const Session& session);
+Exit daylight_hours(const DaylightCommand& command, const Session& session);
+Exit describe_sky(const SkyCommand& command, const Session& session);
 Exit import_model(const ImportCommand& command, const Session& session);
 Exit solve_cube(const FileCommand& command, const Session& session);
 Exit solve_brick(const FileCommand& command, const Session& session);

@@ -30,7 +30,7 @@ Json to_json(const spectra::RelativeXyz& xyz) { return {xyz.x, xyz.y, xyz.z}; }
 template <typename Found>
 void visit_file_names(const nlohmann::json& value, const Found& found) {
   for (const auto& [key, member] : value.items()) {
-    const bool names_file = value.is_object() && (key == "file" || key == "atlas");
+    const bool names_file = value.is_object() && (key == "file" || key == "atlas" || key == "epw");
     if (names_file && member.is_string()) found(member.template get<std::string>());
     if (member.is_structured()) visit_file_names(member, found);
   }

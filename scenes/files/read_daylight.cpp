@@ -1,5 +1,6 @@
 // Daylight of a room file: where the sun stands, the sky as it is then, and the glass before it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,10 @@ constexpr spectra::Limits kTurn_deg{.least = -360, .most = 360};
 constexpr spectra::Limits kAmount{.least = 0, .most = 1e9, .above_least = true};
 constexpr spectra::Limits kIrradiance_W_m2{.least = 0, .most = 2000};
 constexpr spectra::Limits kShare{.least = 0, .most = 1, .below_most = true};
-constexpr double kSun_K = 5500, kOvercastSky_K = 6500, kClearSky_K = 10000;
+constexpr double kSun_K = 5500;
+constexpr int kMostHours = 10'000'000, kMostScenarios = 100;
+constexpr const char *kNoSuchSky = "the Perez model has no sky for such weather",
+                     *kMendWeather = "check both irradiances and the hour, or take a \"cie\" type";
 
 /// "cie:N" or "perez"; 0 for perez, -1 after a fault.
 int sky_type(const JsonNode& node) {
@@ -66,46 +70,37 @@ std::optional<RoomReader::SunPlace> RoomReader::read_sun_place(const JsonNode& n
   }
   if (!moment || !std::isfinite(latitude_deg + longitude_deg)) return std::nullopt;
   const SunPosition sun = sun_position(latitude_deg, longitude_deg, *moment);
-  return SunPlace{std::fmod(sun.azimuth_deg + north_deg_, 360), sun.altitude_deg,
+  return SunPlace{std::fmod(sun.azimuth_deg + north_deg_ + 360, 360), sun.altitude_deg,
                   moment->day_of_year};
 }
 
 std::optional<RoomReader::SunPlace> RoomReader::read_weather_hour(const JsonNode& node) {
   const JsonObject entry = node.object({"epw", "hour"});
-  const auto path_node = entry.need("epw"), hour_node = entry.need("hour");
+  const auto path_node = entry.need("epw");
   const std::string path = path_node ? path_node->name() : "";
-  const int number = hour_node ? hour_node->whole_number(1, 10'000'000) : 0;
-  if (path.empty() || number == 0) return std::nullopt;
-  const WeatherFile* file = weather_file(*path_node, curves_.resolve(path));
-  if (file == nullptr) return std::nullopt;
-  if (static_cast<std::size_t>(number) > file->hours.size()) {
-    hour_node->fault(fmt::format("{} has {} hours", path, file->hours.size()),
-                     "count them from 1, the first after midnight of January 1st");
-    return std::nullopt;
-  }
-  const WeatherHour& hour = file->hours[static_cast<std::size_t>(number) - 1];
+  const auto file = path.empty() ? nullptr : weather_file(*path_node, curves_.resolve(path));
+  const auto hours = file ? read_hours(entry, *file) : std::nullopt;
+  if (!hours) return std::nullopt;
+  const WeatherHour& hour = file->hours[static_cast<std::size_t>(hours->first) - 1];
   const SunPosition sun = sun_position(file->latitude_deg, file->longitude_deg, hour.moment);
-  room_.notes.push_back(fmt::format("{}: {}, {:02}-{:02}, {}:00 to {}:00 standard time",
-                                    node.pointer(), file->place, hour.month, hour.day,
-                                    hour.hour - 1, hour.hour));
-  return SunPlace{std::fmod(sun.azimuth_deg + north_deg_, 360), sun.altitude_deg,
-                  hour.weather.day_of_year, hour.weather};
+  return SunPlace{std::fmod(sun.azimuth_deg + north_deg_ + 360, 360), sun.altitude_deg,
+                  hour.weather.day_of_year};
 }
 
-/// Null after a fault.
-const WeatherFile* RoomReader::weather_file(const JsonNode& node, const std::string& path) {
+std::shared_ptr<const WeatherFile> RoomReader::weather_file(const JsonNode& node,
+                                                            const std::string& path) {
   const auto known = weather_files_.find(path);
-  if (known != weather_files_.end()) return known->second ? &*known->second : nullptr;
-  std::optional<WeatherFile>& file = weather_files_[path];
+  if (known != weather_files_.end()) return known->second;
+  std::shared_ptr<const WeatherFile>& file = weather_files_[path];
   try {
-    file = read_epw(path);
+    file = std::make_shared<const WeatherFile>(read_epw(path));
   } catch (const spectra::FileError& error) {
     node.fault(error.what(), "give a path relative to the folder of this file");
   } catch (const spectra::InputError& error) {
     file_.add(error.faults());
     node.fault(fmt::format("{} is faulty", path), "mend that file");
   }
-  return file ? &*file : nullptr;
+  return file;
 }
 
 std::optional<Glass> RoomReader::read_glass(const JsonNode& node) {
@@ -154,20 +149,12 @@ SkyColour RoomReader::read_sky_colour(const JsonObject& light, bool overcast,
     return {.overcast = overcast};
   }
   if (node) return {.spectrum = curves_.light_shape(*node).spectrum};
-  const double cct_K = overcast ? kOvercastSky_K : kClearSky_K;
-  room_.notes.push_back(
-      fmt::format("{}: no spectrum; taken as CIE daylight of {} K", place.pointer(), cct_K));
-  return {.spectrum = spectra::light_on(curves_.grid(), spectra::daylight(cct_K))};
+  room_.notes.push_back(fmt::format("{}: no spectrum; taken as CIE daylight of {} K",
+                                    place.pointer(), overcast ? 6500 : 10000));
+  return {.spectrum = usual_spectrum(curves_.grid(), overcast)};
 }
 
-std::optional<Weather> RoomReader::read_weather(const JsonObject& sky, int type,
-                                                const SunPlace& place) {
-  if (place.weather) {
-    for (const char* key : {"direct_normal_W_m2", "diffuse_horizontal_W_m2", "dew_point_C"}) {
-      if (const auto node = sky.find(key)) node->fault("the weather file says it", "leave it out");
-    }
-    if (type == 0) return place.weather;
-  }
+std::optional<Weather> RoomReader::read_weather(const JsonObject& sky, int type, int day) {
   if (type != 0) {
     for (const char* key : {"direct_normal_W_m2", "diffuse_horizontal_W_m2", "dew_point_C"}) {
       if (const auto node = sky.find(key)) {
@@ -179,7 +166,7 @@ std::optional<Weather> RoomReader::read_weather(const JsonObject& sky, int type,
   Weather weather{
       .direct_normal_W_m2 = sky.number("direct_normal_W_m2", kIrradiance_W_m2),
       .diffuse_horizontal_W_m2 = sky.number("diffuse_horizontal_W_m2", kIrradiance_W_m2),
-      .day_of_year = place.day};
+      .day_of_year = day};
   if (sky.has("dew_point_C")) {
     weather.precipitable_water_cm =
         precipitable_water_cm(sky.number("dew_point_C", {.least = -90, .most = 50}));
@@ -237,16 +224,121 @@ spectra::Spectrum RoomReader::read_beam(const LightEntry& entry, const JsonObjec
   if (beam_lx > 0 && spectra::luminous(shape) > 0) {
     beam = spectra::scaled_to_luminous(shape, beam_lx);
   }
-  if (node) {
-    const std::string name = entry.name + ".sun";
-    claim_name(*node, name);
-    room_.lights.push_back({.name = name, .sun = static_cast<int>(room_.suns.size())});
-    room_.suns.push_back({.name = name,
-                          .azimuth_deg = place.azimuth_deg,
-                          .altitude_deg = place.altitude_deg,
-                          .normal_irradiance = beam});
-  }
+  if (node) add_sun_of_sky(*node, entry.name, place, beam);
   return beam;
+}
+
+void RoomReader::add_sun_of_sky(const JsonNode& node, const std::string& sky, const SunPlace& place,
+                                const spectra::Spectrum& beam) {
+  const std::string name = sky + ".sun";
+  claim_name(node, name);
+  room_.lights.push_back({.name = name, .sun = static_cast<int>(room_.suns.size())});
+  room_.suns.push_back({.name = name,
+                        .azimuth_deg = place.azimuth_deg,
+                        .altitude_deg = place.altitude_deg,
+                        .normal_irradiance = beam});
+}
+
+/// Which hours of a file, the first and the last; none after a fault.
+std::optional<std::pair<int, int>> RoomReader::read_hours(const JsonObject& at,
+                                                          const WeatherFile& file) {
+  const int count = static_cast<int>(file.hours.size());
+  const auto one = at.find("hour"), several = at.find("hours");
+  if (one && several) {
+    several->fault("there are an hour and hours", "keep one of them");
+    return std::nullopt;
+  }
+  if (!several) {
+    const auto node = at.need("hour");
+    const int hour = node ? node->whole_number(1, kMostHours) : 0;
+    if (hour > count) {
+      node->fault(fmt::format("the file has {} hours", count),
+                  "count them from 1, the first after midnight of January 1st");
+    }
+    return hour < 1 || hour > count ? std::nullopt : std::make_optional(std::pair(hour, hour));
+  }
+  const std::vector<JsonNode> ends = several->list(2, 2);
+  if (ends.size() != 2) return std::nullopt;
+  const int first = ends[0].whole_number(1, kMostHours), last = ends[1].whole_number(1, kMostHours);
+  if (last < first || last > count || last - first >= kMostScenarios) {
+    several->fault(fmt::format("hours {} to {} of {}", first, last, count),
+                   fmt::format("give the first and the last hour, at most {} of them; for more "
+                               "there is \"roomhue daylight\"",
+                               kMostScenarios));
+    return std::nullopt;
+  }
+  return std::pair(first, last);
+}
+
+/// The sky of an hour, or of several: each a light, and a scenario if there is light in it.
+void RoomReader::read_weather_sky(const LightEntry& entry, const JsonObject& node,
+                                  const JsonNode& at, WeatherSky over) {
+  const JsonObject place = at.object({"epw", "hour", "hours"});
+  for (const char* key :
+       {"direct_normal_W_m2", "diffuse_horizontal_W_m2", "dew_point_C", "zenith_cd_m2"}) {
+    if (const auto given = node.find(key)) {
+      given->fault("the weather file says how bright it is", "leave this out");
+    }
+  }
+  if (const auto given = entry.light.find("illuminance_lx")) {
+    given->fault("the weather file says how bright it is", "leave this out");
+  }
+  if (const auto spectrum = entry.light.find("spectrum")) {
+    SkyColour colour = read_sky_colour(entry.light, false, entry.kind);
+    over.by_direction = !colour.spectrum;
+    over.spectrum = std::move(colour.spectrum);
+  } else {
+    room_.notes.push_back(entry.kind.pointer() +
+                          ": no spectrum; CIE daylight of 6500 K, of 10000 K under clear skies");
+  }
+  over.sun_spectrum = spectra::light_on(curves_.grid(), spectra::daylight(kSun_K));
+  const auto sun_node = node.find("sun");
+  if (sun_node) {
+    const auto shape = sun_node->object({"spectrum"}).find("spectrum");
+    if (shape) over.sun_spectrum = curves_.light_shape(*shape).spectrum;
+  }
+  over.north_deg = north_deg_;
+  const auto path_node = place.need("epw");
+  const std::string path = path_node ? path_node->name() : "";
+  over.file = path.empty() ? nullptr : weather_file(*path_node, curves_.resolve(path));
+  const auto hours = over.file ? read_hours(place, *over.file) : std::nullopt;
+  if (!hours || (over.spectrum && !over.spectrum->values.allFinite()) ||
+      !over.sun_spectrum.values.allFinite()) {
+    return;
+  }
+  dark_hours_.clear();
+  for (int hour = hours->first; hour <= hours->second; ++hour) {
+    const std::string name =
+        place.has("hours") ? fmt::format("{} {}", entry.name, hour) : entry.name;
+    add_weather_hour(entry, sun_node, over, hour, name);
+  }
+  const WeatherHour& first = over.file->hours[static_cast<std::size_t>(hours->first) - 1];
+  room_.notes.push_back(fmt::format(
+      "{}: {}, from {:02}-{:02}, {}:00 standard time{}{}", entry.kind.pointer(), over.file->place,
+      first.month, first.day, first.hour - 1, dark_hours_.empty() ? "" : "; no daylight in hour ",
+      fmt::join(dark_hours_, ", ")));
+}
+
+void RoomReader::add_weather_hour(const LightEntry& entry, const std::optional<JsonNode>& sun_node,
+                                  WeatherSky over, int hour, const std::string& name) {
+  const SkyOfHour light = sky_of_hour(curves_.grid(), over, static_cast<std::size_t>(hour) - 1);
+  if (!light.defined) {
+    entry.kind.fault(fmt::format("hour {}: {}", hour, kNoSuchSky), kMendWeather);
+    return;
+  }
+  over.sky = static_cast<int>(room_.skies.size());
+  room_.lights.push_back({.name = name, .sky = over.sky});
+  room_.skies.push_back(light.sky ? *light.sky : dark_sky(curves_.grid()));
+  room_.skies.back().name = name;
+  if (sun_node) {
+    over.sun = static_cast<int>(room_.suns.size());
+    add_sun_of_sky(*sun_node, name, {light.azimuth_deg, light.altitude_deg}, light.beam);
+  }
+  if (!light.sky) dark_hours_.push_back(hour);
+  room_.weather_skies.push_back(over);
+  if (name == entry.name) return;
+  claim_name(entry.kind, name);
+  if (light.sky) hour_lights_.push_back(name);
 }
 
 void RoomReader::read_sky(const LightEntry& entry) {
@@ -261,13 +353,18 @@ void RoomReader::read_sky(const LightEntry& entry) {
   if (opening_places_.empty()) {
     entry.kind.fault("the room has no opening for the sky", "add one to \"openings\"");
   }
-  room_.lights.push_back({.name = entry.name, .sky = static_cast<int>(room_.skies.size())});
   const auto type_node = node.need("type"), at = entry.light.need("at");
   const int type = type_node ? sky_type(*type_node) : -1;
-  const std::optional<SunPlace> place = at ? read_sun_place(*at) : std::nullopt;
   const double ground = node.number_or("ground_reflectance", 0.2, kShare);
   const auto opposite = node.find("obstruction");
   const auto obstruction = opposite ? read_obstruction(*opposite) : std::nullopt;
+  if (at && at->has("epw")) {
+    if (type > 0) type_node->fault("a weather file goes with the type \"perez\"", "give \"perez\"");
+    read_weather_sky(entry, node, *at, {.ground_reflectance = ground, .obstruction = obstruction});
+    return;
+  }
+  const std::optional<SunPlace> place = at ? read_sun_place(*at) : std::nullopt;
+  room_.lights.push_back({.name = entry.name, .sky = static_cast<int>(room_.skies.size())});
   if (type < 0 || !place) {
     room_.skies.push_back({.name = entry.name});
     return;
@@ -282,27 +379,20 @@ Sky RoomReader::sky_of(const LightEntry& entry, const JsonObject& node, int type
   const bool night = place.altitude_deg <= 0;
   const Vector3d to_sun =
       direction_of(place.azimuth_deg, night ? 90 : place.altitude_deg);  // any, where it is dark
-  const std::optional<Weather> weather = read_weather(node, type, place);
+  const std::optional<Weather> weather = read_weather(node, type, place.day);
   SkyPattern pattern = cie_sky(type > 0 ? type : 5, to_sun);
   bool overcast = is_overcast(type);
   double horizontal_lx = read_sky_amount(entry, node, type, pattern), beam_lx = NAN;
   if (weather && std::isfinite(weather->direct_normal_W_m2 + weather->diffuse_horizontal_W_m2)) {
-    horizontal_lx = beam_lx = 0;
-    if (!night && weather->diffuse_horizontal_W_m2 > 0) {
-      pattern = perez_sky(*weather, to_sun);
-      const DaylightEfficacy efficacy = daylight_efficacy(*weather, to_sun);
-      overcast = sky_state(*weather, to_sun).clearness < 1.23;
-      horizontal_lx = efficacy.diffuse_lm_W * weather->diffuse_horizontal_W_m2;
-      beam_lx = efficacy.direct_lm_W * weather->direct_normal_W_m2;
-      if (!is_bounded(pattern) || !(horizontal_lx > 0)) {
-        entry.kind.fault("the Perez model has no sky for such weather",
-                         "check both irradiances and the hour, or take a \"cie\" type");
-        return {};
-      }
-    } else if (!night && weather->direct_normal_W_m2 > 0) {
-      entry.kind.fault("sun without any skylight", "give \"diffuse_horizontal_W_m2\"");
+    const Daylight light = daylight_by_weather(*weather, place.azimuth_deg, place.altitude_deg);
+    if (!light.defined) {
+      entry.kind.fault(kNoSuchSky, kMendWeather);
       return {};
     }
+    pattern = light.horizontal_lx > 0 ? light.pattern : pattern;
+    overcast = light.overcast;
+    horizontal_lx = light.horizontal_lx;
+    beam_lx = light.beam_lx;
   }
   const SkyColour colour = read_sky_colour(entry.light, overcast, entry.kind);
   const spectra::Spectrum beam = read_beam(entry, node, place, night ? 0 : beam_lx);

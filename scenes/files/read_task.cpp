@@ -181,6 +181,18 @@ void RoomReader::read_scenarios() {
     room_.judgement = static_cast<spectra::Judgement>(judge->choice(judgements));
   }
   for (const JsonNode& node : top_.list_or_empty("scenarios", 100)) read_scenario(node);
+  if (hour_lights_.empty()) return;
+  if (const auto node = top_.find("scenarios")) {
+    node->fault("the hours of a weather file make the scenarios", "leave them out");
+    return;
+  }
+  for (const std::string& name : hour_lights_) {
+    Scenario scenario{.name = name};
+    for (const Light& light : room_.lights) {
+      scenario.scale.push_back(light.name == name || light.name == name + ".sun" ? 1 : 0);
+    }
+    room_.scenarios.push_back(std::move(scenario));
+  }
 }
 
 void RoomReader::read_scenario(const JsonNode& node) {

@@ -15,7 +15,7 @@
 #include "scenes/room.h"
 #include "scenes/shapes/enclosure.h"
 #include "scenes/shapes/roof.h"
-#include "scenes/skies/epw_reader.h"
+#include "scenes/skies/weather_sky.h"
 
 namespace scenes {
 
@@ -127,22 +127,30 @@ class RoomReader {
   struct SunPlace {
     double azimuth_deg = 0;  ///< clockwise from +y
     double altitude_deg = 0;
-    int day = 1;                          ///< of the year
-    std::optional<Weather> weather = {};  ///< of a weather file
+    int day = 1;  ///< of the year
   };
 
   void read_north();
   [[nodiscard]] std::optional<SunPlace> read_sun_place(const spectra::JsonNode& node);
   [[nodiscard]] std::optional<SunPlace> read_weather_hour(const spectra::JsonNode& node);
-  [[nodiscard]] const WeatherFile* weather_file(const spectra::JsonNode& node,
-                                                const std::string& path);
+  /// Null after a fault.
+  [[nodiscard]] std::shared_ptr<const WeatherFile> weather_file(const spectra::JsonNode& node,
+                                                                const std::string& path);
+  [[nodiscard]] static std::optional<std::pair<int, int>> read_hours(const spectra::JsonObject& at,
+                                                                     const WeatherFile& file);
+  void read_weather_sky(const LightEntry& entry, const spectra::JsonObject& node,
+                        const spectra::JsonNode& at, WeatherSky over);
+  void add_weather_hour(const LightEntry& entry, const std::optional<spectra::JsonNode>& sun_node,
+                        WeatherSky over, int hour, const std::string& name);
+  void add_sun_of_sky(const spectra::JsonNode& node, const std::string& sky, const SunPlace& place,
+                      const spectra::Spectrum& beam);
   [[nodiscard]] std::optional<Glass> read_glass(const spectra::JsonNode& node);
   void read_sky(const LightEntry& entry);
   [[nodiscard]] static std::optional<Obstruction> read_obstruction(const spectra::JsonNode& node);
   [[nodiscard]] SkyColour read_sky_colour(const spectra::JsonObject& light, bool overcast,
                                           const spectra::JsonNode& place);
   [[nodiscard]] static std::optional<Weather> read_weather(const spectra::JsonObject& sky, int type,
-                                                           const SunPlace& place);
+                                                           int day);
   [[nodiscard]] double read_sky_amount(const LightEntry& entry, const spectra::JsonObject& sky,
                                        int type, const SkyPattern& pattern);
   [[nodiscard]] spectra::Spectrum read_beam(const LightEntry& entry, const spectra::JsonObject& sky,
@@ -207,8 +215,10 @@ class RoomReader {
   std::map<std::string, std::vector<std::string>> materials_;       ///< of meshes that have several
   std::vector<std::optional<spectra::Spectrum>> opening_exitance_;  ///< of those that are lit
   std::map<std::string, std::shared_ptr<const Luminaire>> luminaire_files_;
-  std::map<std::string, std::optional<WeatherFile>> weather_files_;
-  std::vector<Lamp> lamps_;  ///< as room_.panels
+  std::map<std::string, std::shared_ptr<const WeatherFile>> weather_files_;
+  std::vector<int> dark_hours_;           ///< of the sky that is being read
+  std::vector<std::string> hour_lights_;  ///< skies of several hours that shine: scenarios
+  std::vector<Lamp> lamps_;               ///< as room_.panels
 };
 
 /// Lengths and places that a room can have, metres.

@@ -52,6 +52,11 @@ Sky make_sky(const spectra::Grid& grid, const SkyPattern& pattern, const SkyColo
   return sky;
 }
 
+Sky dark_sky(const spectra::Grid& grid) {
+  return make_sky(grid, {}, {.spectrum = spectra::constant(grid, 1)},
+                  {.beam = ArrayXd::Zero(grid.count)});
+}
+
 Sky unscaled(Sky sky) {
   sky.scale = 1;
   return sky;

@@ -51,6 +51,9 @@ struct SkyAmounts {
 [[nodiscard]] Sky make_sky(const spectra::Grid& grid, const SkyPattern& pattern,
                            const SkyColour& colour, const SkyAmounts& amounts);
 
+/// One that gives no light.
+[[nodiscard]] Sky dark_sky(const spectra::Grid& grid);
+
 /// The same with a scale of 1.
 [[nodiscard]] Sky unscaled(Sky sky);
 

@@ -20,7 +20,7 @@ using Quad = std::array<Vector3d, 4>;
 using std::numbers::pi;
 
 /// Points along each side of a piece of the opening; along each side of a piece of a patch.
-constexpr int kPointOrder = 8, kPatchOrder = 4, kOuterOrder = 3;
+constexpr int kPointOrder = 8, kPatchOrder = 3, kOuterOrder = 3;
 /// How often a piece of the opening, or of a patch, is quartered at most.
 constexpr int kMostLevels = 8, kMostPatchLevels = 4;
 

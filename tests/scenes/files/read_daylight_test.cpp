@@ -160,7 +160,7 @@ TEST(ReadDaylight, WhatCannotBeMeantIsRefused) {
       {sky({{"obstruction", json::object()}}), {}, "/lights/0/sky/obstruction", "distance_m"},
       {sky({{"sun", json::object()}}), {}, "/lights/0/sky/sun", "illuminance_lx"},
       {sky({{"colour", 1}}), {}, "/lights/0/sky/colour", "colour"},
-      {perez({{"diffuse_horizontal_W_m2", 0}}), {}, "/lights/0/sky", "without any skylight"},
+      {perez({{"diffuse_horizontal_W_m2", 0}}), {}, "/lights/0/sky", "no sky for such weather"},
       {perez({{"diffuse_horizontal_W_m2", -1}}), {}, "/lights/0/sky/diffuse_horizontal_W_m2", "-1"},
       {perez({}, {{"illuminance_lx", 9}}), {}, "/lights/0/illuminance_lx", "irradiances say"},
       {perez({{"sun", {{"illuminance_lx", 9}}}}),

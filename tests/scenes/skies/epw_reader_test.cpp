@@ -86,6 +86,16 @@ TEST(EpwReader, RoomsTakeAnHourOfIt) {
   EXPECT_NEAR(noon.suns.at(0).altitude_deg, 60.1, 0.1);
   room["lights"][0]["at"]["hour"] = 2;
   EXPECT_EQ(read(room).skies.at(0).cd_m2, 0);
+  room["lights"][0]["at"] = {{"epw", "w.epw"}, {"hours", {1, 2}}};
+  const Room both = read(room);
+  ASSERT_EQ(both.scenarios.size(), 1);  // the other is dark
+  EXPECT_EQ(both.scenarios[0].name, "day 1");
+  EXPECT_EQ(both.scenarios[0].scale, (std::vector<double>{1, 1, 0, 0}));
+  EXPECT_EQ(both.lights[3].name, "day 2.sun");
+  EXPECT_EQ(both.skies[0].cd_m2, noon.skies[0].cd_m2);
+  room["lights"][0]["at"]["hours"] = {2, 1};
+  EXPECT_THAT(to_string(faults_of([&] { (void)read(room); }).at(0)), HasSubstr("hours 2 to 1"));
+  room["lights"][0]["at"] = {{"epw", "w.epw"}};
   room["lights"][0]["at"]["hour"] = 3;
   EXPECT_THAT(to_string(faults_of([&] { (void)read(room); }).at(0)), HasSubstr("has 2 hours"));
   room["lights"][0]["at"] = {{"epw", "none.epw"}, {"hour", 1}};
@@ -93,6 +103,9 @@ TEST(EpwReader, RoomsTakeAnHourOfIt) {
   room["lights"][0]["at"] = {{"epw", "w.epw"}, {"hour", 1}};
   room["lights"][0]["sky"]["dew_point_C"] = 3;
   EXPECT_THAT(to_string(faults_of([&] { (void)read(room); }).at(0)), HasSubstr("weather file"));
+  room["lights"][0]["sky"].erase("dew_point_C");
+  room["lights"][0]["sky"]["type"] = "cie:3";
+  EXPECT_THAT(to_string(faults_of([&] { (void)read(room); }).at(0)), HasSubstr("\"perez\""));
 }
 
 }  // namespace
