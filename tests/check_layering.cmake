@@ -51,7 +51,7 @@ set(apps/command_line_may       ${apps/commands_may} apps/commands)
 set(only_in_scenes "OpenMesh/")
 set(only_in_solver "embree3/|tbb/|oneapi/|hwy/")
 set(only_in_paints "pugixml")
-set(only_in_apps   "CLI/|openssl/|OpenEXR/|Imath/|png.h")
+set(only_in_apps   "CLI/|openssl/|OpenEXR/|Imath/|png.h|zlib.h")
 
 file(GLOB_RECURSE files RELATIVE ${CMAKE_SOURCE_DIR}
      appearance/*.h appearance/*.cpp scenes/*.h scenes/*.cpp solver/*.h solver/*.cpp

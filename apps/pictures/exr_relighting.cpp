@@ -25,6 +25,7 @@
 
 #include "appearance/spectra/text/input_error.h"
 #include "apps/pictures/exr_block.h"
+#include "apps/pictures/exr_chunks.h"
 #include "solver/rooms/room_light.h"
 
 namespace apps {
@@ -116,6 +117,23 @@ void require_relightable(const std::vector<Imf::Header>& parts, const fs::path& 
                           .remedy = "give a picture without subsampling of R, G, B"});
       }
     }
+  }
+  if (!faults.empty()) throw spectra::InputError(faults);
+}
+
+/// Every part whose pixels are not all there.
+void require_whole(Imf::MultiPartInputFile& input, const std::vector<Imf::Header>& parts,
+                   const fs::path& in) {
+  const auto file_bytes = static_cast<std::int64_t>(fs::file_size(in));
+  std::vector<spectra::Fault> faults;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::string fault = implausible_size(parts[part], file_bytes);
+    if (fault.empty()) fault = short_chunk(input, static_cast<int>(part));
+    if (fault.empty()) continue;
+    faults.push_back({.file = in.string(),
+                      .pointer = fmt::format("part {}", part),
+                      .problem = fault,
+                      .remedy = "give a complete OpenEXR picture"});
   }
   if (!faults.empty()) throw spectra::InputError(faults);
 }
@@ -275,6 +293,7 @@ ExrReport relight_exr(const fs::path& in, const fs::path& out, const Eigen::Matr
     std::vector<Imf::Header> headers;
     for (int part = 0; part < input.parts(); ++part) headers.push_back(input.header(part));
     require_relightable(headers, in);
+    require_whole(input, headers, in);
 
     Output stream(out);
     ExrReport report;

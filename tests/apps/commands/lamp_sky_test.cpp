@@ -8,6 +8,7 @@ namespace apps {
 namespace {
 
 using test::TemporaryFolder;
+namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 const std::string kPanel = std::string(SOURCE_DIR) + "/scenes/rooms/lamps/ward_panel.ies";

@@ -1,4 +1,7 @@
+#include <OpenEXR/ImfOutputFile.h>
 #include <gmock/gmock.h>
+
+#include <cstring>
 
 #include "tests/apps/relight_fixture.h"
 #include "tests/support/hdr_picture.h"
@@ -52,6 +55,64 @@ TEST_F(Refused, BytesGoneBad) {
   for (std::size_t k = bytes.size() / 2; k < bytes.size() / 2 + 64; ++k) bytes[k] ^= 0x55;
   write_text(in, bytes);
   expect(3, "in.exr: ");
+}
+
+/// A picture of one chunk, black, whose pixels are cut off by some bytes, as its own size says.
+std::string one_chunk(const std::string& path, Imf::Compression compression, int cut) {
+  Imf::Header header(64, 1);
+  header.compression() = compression;
+  for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::HALF));
+  std::vector<char> black(64 * 2 * 3);
+  Imf::FrameBuffer slices;
+  for (const char* name : {"R", "G", "B"}) {
+    slices.insert(name, Imf::Slice(Imf::HALF, black.data(), 2, 128));
+  }
+  {
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(slices);
+    file.writePixels(1);
+  }
+  std::string bytes = read_text(path);
+  // The chunk begins where the only entry of the table of offsets says, 8 bytes before it.
+  for (std::size_t at = 0; at + 16 < bytes.size(); ++at) {
+    std::int64_t offset = 0;
+    std::int32_t size = 0;
+    std::memcpy(&offset, &bytes[at], sizeof offset);
+    if (offset != static_cast<std::int64_t>(at) + 8) continue;
+    std::memcpy(&size, &bytes[at + 12], sizeof size);
+    if (at + 16 + static_cast<std::size_t>(size) != bytes.size()) continue;
+    size = cut < 0 ? 0 : size - cut;
+    std::memcpy(&bytes[at + 12], &size, sizeof size);
+    return bytes.substr(0, at + 16 + static_cast<std::size_t>(size));
+  }
+  return "";
+}
+
+TEST_F(Refused, ChunksShorterThanTheirPixels) {
+  write_text(in, one_chunk(in.string(), Imf::NO_COMPRESSION, 0));
+  EXPECT_EQ(relight(kLights).exit_code, 0);
+  fs::remove(out);
+  write_text(in, one_chunk(in.string(), Imf::NO_COMPRESSION, 2));
+  expect(3, "part 0: lines from 0: it holds 382 bytes, its pixels take 384");
+  write_text(in, one_chunk(in.string(), Imf::RLE_COMPRESSION, 2));
+  expect(3, "its pixels take 384");
+  write_text(in, one_chunk(in.string(), Imf::ZIP_COMPRESSION, -1));
+  expect(3, "it cannot be unpacked");
+  write_text(in, one_chunk(in.string(), Imf::ZIPS_COMPRESSION, 3));
+  expect(3, "it cannot be unpacked");
+}
+
+/// A header of some hundred bytes must not take gigabytes.
+TEST_F(Refused, PicturesThatTheirFileCannotHold) {
+  std::string bytes = one_chunk(in.string(), Imf::NO_COMPRESSION, 0);
+  const std::int32_t narrow[]{0, 0, 63, 0}, wide[]{0, 0, (1 << 28) - 1, 0};
+  for (std::size_t at = 0;
+       (at = bytes.find(std::string(reinterpret_cast<const char*>(narrow), sizeof narrow), at)) !=
+       bytes.npos;) {
+    std::memcpy(&bytes[at], wide, sizeof wide);
+  }
+  write_text(in, bytes);
+  expect(3, "the picture would take 1610612736 bytes");
 }
 
 TEST_F(Refused, PicturesWithoutColours) {
