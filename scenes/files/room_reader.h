@@ -130,18 +130,15 @@ class RoomReader {
     int day = 1;  ///< of the year
   };
 
+  static constexpr const char *kNoSuchSky = "the Perez model has no sky for such weather",
+                              *kMendWeather =
+                                  "check both irradiances and the hour, or take a "
+                                  "\"cie\" type";
+
   void read_north();
+  /// Of a sun whose spectrum is not told.
+  [[nodiscard]] spectra::Spectrum sun_spectrum() const;
   [[nodiscard]] std::optional<SunPlace> read_sun_place(const spectra::JsonNode& node);
-  [[nodiscard]] std::optional<SunPlace> read_weather_hour(const spectra::JsonNode& node);
-  /// Null after a fault.
-  [[nodiscard]] std::shared_ptr<const WeatherFile> weather_file(const spectra::JsonNode& node,
-                                                                const std::string& path);
-  [[nodiscard]] static std::optional<std::pair<int, int>> read_hours(const spectra::JsonObject& at,
-                                                                     const WeatherFile& file);
-  void read_weather_sky(const LightEntry& entry, const spectra::JsonObject& node,
-                        const spectra::JsonNode& at, WeatherSky over);
-  void add_weather_hour(const LightEntry& entry, const std::optional<spectra::JsonNode>& sun_node,
-                        WeatherSky over, int hour, const std::string& name);
   void add_sun_of_sky(const spectra::JsonNode& node, const std::string& sky, const SunPlace& place,
                       const spectra::Spectrum& beam);
   [[nodiscard]] std::optional<Glass> read_glass(const spectra::JsonNode& node);
@@ -157,6 +154,18 @@ class RoomReader {
                                             const SunPlace& place, double weather_lx);
   [[nodiscard]] Sky sky_of(const LightEntry& entry, const spectra::JsonObject& node, int type,
                            const SunPlace& place, double ground_reflectance);
+
+  // read_weather.cpp
+  [[nodiscard]] std::optional<SunPlace> read_weather_hour(const spectra::JsonNode& node);
+  /// Null after a fault.
+  [[nodiscard]] std::shared_ptr<const WeatherFile> weather_file(const spectra::JsonNode& node,
+                                                                const std::string& path);
+  [[nodiscard]] static std::optional<std::pair<int, int>> read_hours(const spectra::JsonObject& at,
+                                                                     const WeatherFile& file);
+  void read_weather_sky(const LightEntry& entry, const spectra::JsonObject& node,
+                        const spectra::JsonNode& at, WeatherSky over);
+  void add_weather_hour(const LightEntry& entry, const std::optional<spectra::JsonNode>& sun_node,
+                        WeatherSky over, int hour, const std::string& name);
 
   // read_luminaire.cpp
   void read_luminaire_light(const LightEntry& entry);
