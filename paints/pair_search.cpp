@@ -70,7 +70,57 @@ std::size_t PairSearch::index(int first, int second) const {
   return i * single.size() - i * (i + 1) / 2 + j - i - 1;
 }
 
-PairSearch search_pairs(const SearchSpace& space, std::size_t most) {
+namespace {
+
+/// Pairs that are still of interest after some rows: the `most` nearest of their samples, and those
+/// whose bound lies below the nearest mixture so far. So memory does not grow with all pairs.
+class Shortlist {
+ public:
+  Shortlist(std::size_t most, double nearest) : most_(most), nearest_(nearest) {}
+
+  void add(std::vector<Sampled> pairs) {
+    for (const Sampled& s : pairs) nearest_ = std::min(nearest_, s.nearest);
+    kept_.insert(kept_.end(), pairs.begin(), pairs.end());
+    const auto first = static_cast<std::ptrdiff_t>(std::min(most_, kept_.size()));
+    std::nth_element(kept_.begin(), kept_.begin() + first, kept_.end(), before);
+    kept_.erase(std::remove_if(kept_.begin() + first, kept_.end(),
+                               [&](const Sampled& s) { return s.bound >= nearest_; }),
+                kept_.end());
+  }
+
+  [[nodiscard]] std::vector<Sampled> sorted() && {
+    std::sort(kept_.begin(), kept_.end(), before);
+    return std::move(kept_);
+  }
+
+ private:
+  static bool before(const Sampled& p, const Sampled& q) {
+    return std::tie(p.nearest, p.bases) < std::tie(q.nearest, q.bases);
+  }
+
+  std::size_t most_;
+  double nearest_;
+  std::vector<Sampled> kept_;
+};
+
+/// The pairs of base i with all later ones.
+std::vector<Sampled> row_of(const SearchSpace& space, int i, PairSearch& found) {
+  std::vector<Sampled> row;
+  for (int j = i + 1; j < space.size(); ++j) {
+    const BaseNumbers pair{.count = 2, .at = {i, j}};
+    const Line line = line_of(space, found, pair);
+    row.push_back(sampled(space, pair, line));
+    if (found.quarters.empty()) continue;
+    for (std::size_t q = 0; q < 3; ++q) {
+      found.quarters[found.index(i, j)][q] = line[4 * (q + 1)].cast<float>();
+    }
+  }
+  return row;
+}
+
+}  // namespace
+
+PairSearch search_pairs(const SearchSpace& space, std::size_t most, bool for_triples) {
   PairSearch found;
   for (int i = 0; i < space.size(); ++i) {
     const BaseNumbers alone{.count = 1, .at = {i}};
@@ -78,23 +128,22 @@ PairSearch search_pairs(const SearchSpace& space, std::size_t most) {
     found.nearest.push_back(
         {.bases = alone, .parts = Parts::Unit(0), .distance = space.distance(found.single.back())});
   }
+  keep_nearest(found.nearest, found.nearest.size());
+  if (most == 0) return found;
   const std::size_t n = found.single.size();
   found.pairs = static_cast<std::int64_t>(n * (n - 1) / 2);
-  found.quarters.resize(n * (n - 1) / 2);
-  std::vector<Sampled> pairs(found.quarters.size());
-  in_parallel(space.size(), space.threads(), [&](int i) {
-    for (int j = i + 1; j < space.size(); ++j) {
-      const BaseNumbers pair{.count = 2, .at = {i, j}};
-      const Line line = line_of(space, found, pair);
-      const std::size_t at = found.index(i, j);
-      pairs[at] = sampled(space, pair, line);
-      for (std::size_t q = 0; q < 3; ++q) found.quarters[at][q] = line[4 * (q + 1)].cast<float>();
-    }
-  });
+  if (for_triples) found.quarters.resize(n * (n - 1) / 2);
+  Shortlist shortlist(most, found.nearest.empty() ? kInfinity : found.nearest.front().distance);
+  constexpr int kRowsAtOnce = 64;
+  for (int from = 0; from < space.size(); from += kRowsAtOnce) {
+    const int count = std::min(kRowsAtOnce, space.size() - from);
+    std::vector<std::vector<Sampled>> rows(static_cast<std::size_t>(count));
+    in_parallel(count, space.threads(),
+                [&](int k) { rows[static_cast<std::size_t>(k)] = row_of(space, from + k, found); });
+    for (std::vector<Sampled>& row : rows) shortlist.add(std::move(row));
+  }
 
-  std::sort(pairs.begin(), pairs.end(), [](const Sampled& p, const Sampled& q) {
-    return std::tie(p.nearest, p.bases) < std::tie(q.nearest, q.bases);
-  });
+  std::vector<Sampled> pairs = std::move(shortlist).sorted();
   const std::size_t first = std::min(most, pairs.size());
   fit(space, pairs, 0, first, found);
   keep_nearest(found.nearest, found.nearest.size());

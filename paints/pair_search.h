@@ -19,6 +19,8 @@ struct PairSearch {
 
 /// Every base and every pair: 17 mixtures of each, then the best parts of the `most` that come
 /// nearest, and of every other pair that the bound does not exclude from being the nearest of all.
-[[nodiscard]] PairSearch search_pairs(const SearchSpace& space, std::size_t most);
+/// @param most         0: no pairs at all
+/// @param for_triples  fill `quarters`
+[[nodiscard]] PairSearch search_pairs(const SearchSpace& space, std::size_t most, bool for_triples);
 
 }  // namespace paints

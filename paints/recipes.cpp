@@ -103,7 +103,8 @@ void extend(const SearchSpace& space, int count, std::size_t most,
 }
 
 std::vector<Candidate> search(const SearchSpace& space, int bases, RecipeSearch& report) {
-  PairSearch pairs = search_pairs(space, bases > 1 ? kFittedPairs : 0);
+  PairSearch pairs = search_pairs(space, bases > 1 ? kFittedPairs : 0,
+                                  bases > 2 && space.size() <= kMostForTriples);
   std::vector<Candidate> candidates = std::move(pairs.nearest);
   std::erase_if(candidates, [&](const Candidate& c) { return c.bases.count > bases; });
   report.pairs = pairs.pairs;

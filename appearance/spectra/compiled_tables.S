@@ -11,6 +11,8 @@ spectra_\name\()_end:
   .section .rodata
   table cie1931, "cie1931.csv"
   table cie1964, "cie1964.csv"
+  table alpha_opic, "alpha_opic.csv"
+  table lamp_metrics, "lamp_metrics.csv"
   table illuminants, "illuminants.csv"
   table houser_lamps, "houser_lamps.csv"
   table munsell_nickerson, "munsell_nickerson.csv"

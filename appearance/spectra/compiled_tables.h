@@ -7,6 +7,8 @@ namespace spectra {
 enum class CompiledTable {
   cie1931,
   cie1964,
+  alpha_opic,
+  lamp_metrics,
   illuminants,
   houser_lamps,
   munsell_nickerson,

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "appearance/spectra/bilinear.h"
+#include "appearance/spectra/lamp_choice.h"
 #include "apps/command_line/option_checks.h"
 #include "apps/system/terminal.h"
 
@@ -359,6 +360,23 @@ void add_file_commands(CLI::App& program, CommandLine& line) {
   const auto described = lamp.runs(describe_lamp, line);
   lamp.app().add_option("FILE", described->in, "IES LM-63 (.ies) or EULUMDAT (.ldt)")->required();
   lamp.app().add_option("--out", described->out, "the polar diagram, .svg");
+
+  Subcommand lamps(program, "lamps",
+                   "The measured lamps, nearest first to what is on a box; or what colour the "
+                   "lamps of a file of yours have",
+                   "--kind LED --cct 2700 --ra 90 --top 5");
+  const auto wanted = lamps.runs(tell_lamps, line);
+  lamps.app().add_option("FILE", wanted->in,
+                         "spectra: columns of text, CSV, CGATS, TM-27 or TM-33");
+  lamps.app()
+      .add_option("--kind", wanted->kind, "kind of lamp")
+      ->check(CLI::IsMember(spectra::lamp_kinds()));
+  lamps.app().add_option("--cct", wanted->cct_K, "colour temperature, K")->check(kPositive);
+  lamps.app().add_option("--ra", wanted->ra, "colour rendering")->check(CLI::Range(0.0, 100.0));
+  lamps.app().add_option("--r9", wanted->r9, "rendering of red")->check(CLI::Range(-400.0, 100.0));
+  lamps.app()
+      .add_option("--top", wanted->top, "how many (default: all)")
+      ->check(CLI::Range(1, 1000));
 
   Subcommand sky(program, "sky",
                  "An hour of a weather file: where the sun stands, how bright sun and sky are, and "

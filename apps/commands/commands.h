@@ -50,6 +50,13 @@ struct DaylightCommand {
   std::optional<std::pair<int, int>> hours;  ///< first and last, from 1; none: the whole file
 };
 
+struct LampsCommand {
+  std::string in;    ///< a file of spectra; empty: the measured lamps
+  std::string kind;  ///< empty: all
+  std::optional<double> cct_K, ra, r9;
+  int top = 0;  ///< 0: all
+};
+
 struct SkyCommand {
   std::string weather;  ///< an .epw file
   int hour = 1;         ///< of it, from 1
@@ -107,6 +114,7 @@ Exit invert_room(const RankCommand& command, const Session& session);
 Exit batch_rooms(const RankCommand& command, const Session& session);
 Exit convert_table(const FileCommand& command, const Session& session);
 Exit list_paints(const FileCommand& command, const Session& session);
+Exit tell_lamps(const LampsCommand& command, const Session& session);
 Exit describe_lamp(const FileCommand& command, const Session& session);
 Exit daylight_hours(const DaylightCommand& command, const Session& session);
 Exit describe_sky(const SkyCommand& command, const Session& session);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "appearance/spectra/alpha_opic.h"
+#include "appearance/spectra/correlated_temperature.h"
 #include "apps/reports/csv.h"
 
 namespace apps {
@@ -22,6 +24,18 @@ std::optional<double> finite(double bound) {
   return std::isfinite(bound) ? std::optional(bound) : std::nullopt;
 }
 
+constexpr const char* kColourNames =
+    ",CCT_K,Duv,S_cone_EDI_lx,M_cone_EDI_lx,L_cone_EDI_lx,rhodopic_EDI_lx,melanopic_EDI_lx";
+
+/// What the light is for lamps' people and for the receptors of the eye.
+void colour_cells(CsvText& csv, const spectra::Spectrum& light) {
+  const auto temperature =
+      spectra::correlated_temperature(spectra::chromaticity(spectra::absolute_xyz(light)));
+  csv.cell(temperature ? std::optional(temperature->cct_K) : std::nullopt);
+  csv.cell(temperature ? std::optional(temperature->duv) : std::nullopt);
+  for (const double lx : spectra::equivalent_daylight_lx(light)) csv.cell(lx);
+}
+
 void point_cells(CsvText& csv, const Eigen::Vector3d& point_m) {
   csv.cell(point_m.x()).cell(point_m.y()).cell(point_m.z());
 }
@@ -34,15 +48,18 @@ double illuminance_lx(const SolutionColumns& columns, const solver::ReceiverLigh
 
 std::string receivers_csv(const scenes::Room& room, const SolutionColumns& columns,
                           const solver::RoomSolution& solution) {
+  const bool spectral = columns.names.size() == static_cast<std::size_t>(room.grid.count);
   CsvText csv("receiver,x_m,y_m,z_m,illuminance_lx" + band_names(columns, 'E') +
-              ",solver_error_bound,mesh_error");
+              ",solver_error_bound,mesh_error" + (spectral ? kColourNames : ""));
   for (std::size_t i = 0; i < room.receivers.size(); ++i) {
     const solver::ReceiverLight& light = solution.receivers[i];
     csv.cell(room.receivers[i].name);
     point_cells(csv, room.receivers[i].at_m);
     csv.cell(illuminance_lx(columns, light));
     for (const double band : light.irradiance) csv.cell(band);
-    csv.cell(finite(light.solver_error_bound)).cell(light.mesh_error).end_row();
+    csv.cell(finite(light.solver_error_bound)).cell(light.mesh_error);
+    if (spectral) colour_cells(csv, {room.grid, light.irradiance});
+    csv.end_row();
   }
   return csv.take();
 }

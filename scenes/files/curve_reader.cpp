@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "appearance/spectra/illuminants.h"
+#include "appearance/spectra/lamp_choice.h"
+#include "appearance/spectra/light_file.h"
 #include "appearance/spectra/photometry.h"
 #include "appearance/spectra/reconstruct.h"
 #include "appearance/spectra/spectrum_library.h"
@@ -58,10 +60,6 @@ Samples samples_of(const Spectrum& spectrum) {
     samples.values.push_back(spectrum.values[k]);
   }
   return samples;
-}
-
-spectra::SpectrumFile read_lights(const std::string& path) {
-  return spectra::read_spectrum_file(path, spectra::CurveKind::light);
 }
 
 void no_such_curve(const JsonNode& node, const std::string& path, const std::string& name,
@@ -231,6 +229,7 @@ Samples CurveReader::curve_of_light(const JsonNode& node) {
           node.object({"daylight_K"}).number("daylight_K", {.least = 4000, .most = 25000});
       return std::isfinite(cct_K) ? spectra::daylight(cct_K) : Samples{};
     }
+    if (node.has("box")) return lamp_by_box(node);
     if (node.has("lamp")) {
       const std::string name = node.object({"lamp"}).name("lamp");
       return name.empty() ? Samples{} : spectra::find_lamp(name).spectrum->samples;
@@ -242,14 +241,39 @@ Samples CurveReader::curve_of_light(const JsonNode& node) {
   if (node.has("file") || node.has("name")) return light_of_file(node);
   if (node.has("nm") || node.has("values")) return read_samples(node, kPower);
   if (node.is(JsonNode::Kind::object) && !node.empty()) {
-    (void)node.object(
-        {"illuminant", "planck_K", "daylight_K", "lamp", "preset", "nm", "values", "file", "name"});
+    (void)node.object({"illuminant", "planck_K", "daylight_K", "lamp", "box", "preset", "nm",
+                       "values", "file", "name"});
   } else {
     node.fault("this is no spectrum of light",
-               "give {\"illuminant\"}, {\"planck_K\"}, {\"daylight_K\"}, {\"lamp\"}, "
+               "give {\"illuminant\"}, {\"planck_K\"}, {\"daylight_K\"}, {\"lamp\"}, {\"box\"}, "
                "{\"preset\"}, {\"nm\", \"values\"} or {\"file\", \"name\"}");
   }
   return {};
+}
+
+Samples CurveReader::lamp_by_box(const JsonNode& node) {
+  const auto place = node.object({"box"}).find("box");
+  const JsonObject entry = place->object({"kind", "cct_K", "ra", "r9"});
+  const auto kind = entry.need("kind");
+  const int index = kind ? kind->choice(spectra::lamp_kinds()) : -1;
+  spectra::LampBox box{.cct_K = entry.number("cct_K", {.least = 1000, .most = 25000}),
+                       .ra = entry.number("ra", {.least = 0, .most = 100})};
+  if (entry.has("r9")) box.r9 = entry.number("r9", {.least = -400, .most = 100});
+  if (index < 0 || !std::isfinite(box.cct_K + box.ra + box.r9.value_or(0))) return {};
+  box.kind = spectra::lamp_kinds()[static_cast<std::size_t>(index)];
+  const std::vector<spectra::LampMatch> matches = spectra::lamps_like(box);
+  const spectra::LampFacts& lamp = *matches.front().lamp;
+  if (!spectra::stands_for(lamp, box)) {
+    place->fault(
+        fmt::format("no measured {} lamp is near {} K, Ra {}; the nearest is houser:{}, "
+                    "{}: {}",
+                    box.kind, box.cct_K, box.ra, lamp.name, lamp.label, spectra::in_words(lamp)),
+        "take that one as {\"lamp\"}, or see \"roomhue lamps\", or give its spectrum");
+    return {};
+  }
+  note(node,
+       fmt::format("taken as houser:{}, {}: {}", lamp.name, lamp.label, spectra::in_words(lamp)));
+  return spectra::find_lamp("houser:" + lamp.name).spectrum->samples;
 }
 
 LightShape CurveReader::preset(const JsonNode& node) {
@@ -315,14 +339,23 @@ Reflectance CurveReader::paint_of_file(const JsonNode& node) {
 
 Samples CurveReader::light_of_file(const JsonNode& node) {
   const JsonObject reference = node.object({"file", "name"});
-  const std::string path = reference.name("file"), name = reference.name("name");
-  if (path.empty() || name.empty()) return {};
-  const spectra::SpectrumFile* curves = file(node, resolve(path), light_files_, &read_lights);
+  const std::string path = reference.name("file");
+  const std::string name = reference.has("name") ? reference.name("name") : "";
+  if (path.empty() || (reference.has("name") && name.empty())) return {};
+  const spectra::SpectrumFile* curves =
+      file(node, resolve(path), light_files_, &spectra::read_light_file);
   if (curves == nullptr) return {};
+  const std::vector<spectra::NamedSpectrum>& entries = curves->set.entries;
+  if (name.empty() && entries.size() == 1) return entries.front().samples;
   std::vector<std::string> names;
-  for (const spectra::NamedSpectrum& entry : curves->set.entries) {
+  for (const spectra::NamedSpectrum& entry : entries) {
     if (entry.name == name) return entry.samples;
     names.push_back(entry.name);
+  }
+  if (name.empty()) {
+    node.fault(fmt::format("{} has {} curves", path, names.size()),
+               "add \"name\", one of " + spectra::alternatives(names));
+    return {};
   }
   no_such_curve(node, path, name, names);
   return {};

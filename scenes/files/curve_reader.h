@@ -39,7 +39,7 @@ class CurveReader {
   [[nodiscard]] Reflectance reflectance(const spectra::JsonNode& node);
   /// A number or { nm, values }; 0 to 1.
   [[nodiscard]] spectra::Spectrum transmittance(const spectra::JsonNode& node);
-  /// { illuminant }, { planck_K }, { daylight_K }, { lamp }, { preset }, { nm, values } or
+  /// { illuminant }, { planck_K }, { daylight_K }, { lamp }, { box }, { preset }, { nm, values } or
   /// { file, name }, with some luminance.
   [[nodiscard]] LightShape light_shape(const spectra::JsonNode& node);
   /// { nm, values } in W m^-2 nm^-1.
@@ -62,6 +62,7 @@ class CurveReader {
   [[nodiscard]] Reflectance paint(const spectra::JsonNode& node);
   [[nodiscard]] Reflectance reconstructed(const spectra::JsonNode& node);
   [[nodiscard]] LightShape preset(const spectra::JsonNode& node);
+  [[nodiscard]] spectra::Samples lamp_by_box(const spectra::JsonNode& node);
   [[nodiscard]] spectra::Samples curve_of_light(const spectra::JsonNode& node);
   [[nodiscard]] Reflectance paint_of_file(const spectra::JsonNode& node);
   [[nodiscard]] Reflectance stated(const spectra::JsonNode& node);

@@ -53,6 +53,14 @@ def colour_matching(year):
           ([w, *map(number, row)] for w, row in zip(nm, xyz)))
 
 
+def alpha_opic():
+    nm, lms, _ = psychtoolbox("T_cones_ss10")
+    nm_rods, rods, _ = psychtoolbox("T_rods")
+    write("alpha_opic.csv", ["nm", "S", "M", "L", "rods"],
+          ([w, *map(number, [*lms[nm == w][0][::-1], rods[nm_rods == w][0][0]])]
+           for w in range(390, 781, 5)))
+
+
 def illuminants():
     nm, components, _ = psychtoolbox("B_cieday")
     nm_c, c, _ = psychtoolbox("spd_CIEC")
@@ -113,6 +121,7 @@ def munsell():
 if __name__ == "__main__":
     colour_matching("1931")
     colour_matching("1964")
+    alpha_opic()
     illuminants()
     lamps()
     munsell()
