@@ -37,10 +37,26 @@ std::string base_name(const Mixing& mixing, int base) {
 
 std::string recipe_name(std::size_t place) { return fmt::format("recipe {}", place + 1); }
 
+/// Every pair of bases is looked at, about 9 us of a core each.
+void require_few(const std::string& atlas, const paints::Ingredients& all,
+                 const MixOptions& options) {
+  constexpr std::size_t kMost = 5000;
+  constexpr double kPairSeconds = 9e-6;
+  const std::size_t n = all.set.bases.size();
+  if (n <= kMost || options.bases < 2) return;
+  const auto pairs = static_cast<double>(n) * static_cast<double>(n - 1) / 2;
+  throw spectra::InputError(
+      {{atlas, 0, 0, "",
+        fmt::format("{} paints make {:.0f} pairs, about {:.0f} minutes of one core", n, pairs,
+                    pairs * kPairSeconds / 60),
+        fmt::format("give at most {}, or take --bases 1", kMost)}});
+}
+
 paints::Ingredients ingredients_of(const RoomRun& run, const MixOptions& options) {
   const std::string& atlas =
       options.rank.atlas.empty() ? run.room.paint.front().atlas : options.rank.atlas;
   paints::Ingredients all = paints::load_ingredients(atlas, options.surface, run.room.grid);
+  require_few(atlas, all, options);
   if (all.set.bases.empty()) {
     throw room_fault(run, "/paint/atlas", "holds no paint that could be mixed",
                      "choose another atlas, or a smaller k1 for --saunderson");

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+#include "appearance/spectra/photometry.h"
 #include "apps/system/sha256.h"
 #include "apps/system/terminal.h"
 #include "paints/files/paint_reader.h"
@@ -85,7 +86,17 @@ Json describe(const scenes::Room& room) {
   for (const scenes::Surface& surface : room.surfaces) {
     if (surface.reconstructed) reconstructed.push_back(surface.name);
   }
-  return {{"name", room.name}, {"notes", room.notes}, {"reconstructed_surfaces", reconstructed}};
+  Json json{{"name", room.name}, {"notes", room.notes}, {"reconstructed_surfaces", reconstructed}};
+  for (const scenes::Sky& sky : room.skies) {
+    json["skies"].push_back(
+        {{"name", sky.name},
+         {"to_sun", to_json(sky.pattern.to_sun)},
+         {"horizontal_lx", sky.cd_m2 * scenes::horizontal_integral(sky.pattern)},
+         {"zenith_cd_m2",
+          sky.cd_m2 * scenes::relative_luminance(sky.pattern, Eigen::Vector3d::UnitZ())},
+         {"ground_cd_m2", spectra::luminous({room.grid, sky.ground})}});
+  }
+  return json;
 }
 
 Json describe(const solver::Plan& plan) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -30,6 +31,16 @@ class Mix : public ::testing::Test {
 
   TemporaryFolder folder_;
 };
+
+TEST_F(Mix, MorePairsThanAnyoneWaitsForAreRefusedWithTheirNumber) {
+  std::string many = "name,400,500,600,700\n";
+  for (int k = 0; k < 5001; ++k) many += fmt::format("p{},0.3,0.4,0.5,{}\n", k, 0.1 + k * 1e-4);
+  write_text(folder_ / "paints.csv", many);
+  const ProgramRun run = mix("--bases 2");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.err, HasSubstr("5001 paints make 12502500 pairs"));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
 
 TEST_F(Mix, WritesRecipesThatAddUpAndComeNearerThanTheBestPaint) {
   const ProgramRun run = mix("--bases 3 --top 5");

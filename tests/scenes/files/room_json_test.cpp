@@ -120,6 +120,23 @@ struct SpectrumForm {
 
 class EverySpectrum : public testing::TestWithParam<SpectrumForm> {};
 
+TEST(RoomJson, BoxesThatNoMeasuredLampIsLike) {
+  json file = sample_room();
+  const auto told = [&](const char* box) {
+    file["lights"][0]["spectrum"] = {{"box", json::parse(box)}};
+    std::string all;
+    for (const auto& fault : faults_of([&] { (void)read(file); })) all += to_string(fault) + "\n";
+    return all;
+  };
+  EXPECT_THAT(told(R"({"kind": "LED", "cct_K": 4000, "ra": 95})"),
+              testing::HasSubstr("/lights/0/spectrum/box: no measured LED lamp is near 4000 K"));
+  EXPECT_THAT(told(R"({"kind": "LED", "cct_K": 2700, "ra": 90, "r9": 99})"),
+              testing::HasSubstr("no measured LED lamp"));
+  EXPECT_THAT(told(R"({"kind": "candle", "cct_K": 2700, "ra": 90})"), testing::HasSubstr("kind"));
+  EXPECT_THAT(told(R"({"kind": "LED", "cct_K": 27, "ra": 90})"), testing::HasSubstr("cct_K"));
+  EXPECT_THAT(told(R"({"kind": "LED"})"), testing::HasSubstr("\"ra\""));
+}
+
 TEST_P(EverySpectrum, HasTheShapeOfItsSource) {
   json file = sample_room();
   file["lights"][0]["spectrum"] = json::parse(GetParam().form);
@@ -134,25 +151,27 @@ Spectrum transport(const spectra::Samples& samples) {
 
 INSTANTIATE_TEST_SUITE_P(
     RoomJson, EverySpectrum,
-    testing::Values(SpectrumForm{"illuminant", R"({"illuminant": "D65"})",
-                                 [] { return transport(spectra::illuminant("D65")); }},
-                    SpectrumForm{"planck", R"({"planck_K": 2856})",
-                                 [] { return transport(spectra::planck(2856)); }},
-                    SpectrumForm{"daylight", R"({"daylight_K": 5000})",
-                                 [] { return transport(spectra::daylight(5000)); }},
-                    SpectrumForm{
-                        "lamp", R"({"lamp": "houser:12"})",
-                        [] { return transport(spectra::lamps("houser").entries[11].samples); }},
-                    SpectrumForm{"preset", R"({"preset": "studio tungsten"})",
-                                 [] { return transport(spectra::planck(3200)); }},
-                    SpectrumForm{"samples", R"({"nm": [400, 500, 700], "values": [1, 2, 4]})",
-                                 [] {
-                                   return transport({{400, 500, 700}, {1, 2, 4}});
-                                 }},
-                    SpectrumForm{"file", R"({"file": "lamps.csv", "name": "odd, one"})",
-                                 [] {
-                                   return transport({{390, 550, 710}, {3, 1, 2}});
-                                 }}),
+    testing::Values(
+        SpectrumForm{"illuminant", R"({"illuminant": "D65"})",
+                     [] { return transport(spectra::illuminant("D65")); }},
+        SpectrumForm{"planck", R"({"planck_K": 2856})",
+                     [] { return transport(spectra::planck(2856)); }},
+        SpectrumForm{"daylight", R"({"daylight_K": 5000})",
+                     [] { return transport(spectra::daylight(5000)); }},
+        SpectrumForm{"lamp", R"({"lamp": "houser:12"})",
+                     [] { return transport(spectra::lamps("houser").entries[11].samples); }},
+        SpectrumForm{"box", R"({"box": {"kind": "LED", "cct_K": 2700, "ra": 90}})",
+                     [] { return transport(spectra::lamps("houser").entries[142].samples); }},
+        SpectrumForm{"preset", R"({"preset": "studio tungsten"})",
+                     [] { return transport(spectra::planck(3200)); }},
+        SpectrumForm{"samples", R"({"nm": [400, 500, 700], "values": [1, 2, 4]})",
+                     [] {
+                       return transport({{400, 500, 700}, {1, 2, 4}});
+                     }},
+        SpectrumForm{"file", R"({"file": "lamps.csv", "name": "odd, one"})",
+                     [] {
+                       return transport({{390, 550, 710}, {3, 1, 2}});
+                     }}),
     [](const auto& form) { return form.param.name; });
 
 class EveryReflectance : public testing::TestWithParam<SpectrumForm> {};

@@ -94,6 +94,7 @@ json room_with_unknown_key(const SchemaObject& object) {
   for (const char* kind : {"prism", "cylinder", "stairs", "sheet", "mesh"}) {
     if (object.definition == kind) room["furniture"][0].erase("box_m");
   }
+  if (object.definition == "box_of_lamp") room["lights"][0]["spectrum"] = json::object();
   if (object.definition == "roof_plane") room["ceiling"] = {{"planes", json::array({0})}};
   if (object.definition == "face") room["faces"] = json::array({0, 0, 0, 0});
   for (const char* kind : {"point", "sun", "luminaire", "sky", "sky_sun", "obstruction"}) {
