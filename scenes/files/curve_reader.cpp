@@ -262,8 +262,11 @@ Samples CurveReader::lamp_by_box(const JsonNode& node) {
   if (index < 0 || !std::isfinite(box.cct_K + box.ra + box.r9.value_or(0))) return {};
   box.kind = spectra::lamp_kinds()[static_cast<std::size_t>(index)];
   const std::vector<spectra::LampMatch> matches = spectra::lamps_like(box);
-  const spectra::LampFacts& lamp = *matches.front().lamp;
-  if (!spectra::stands_for(lamp, box)) {
+  const auto fitting = std::ranges::find_if(
+      matches, [&](const spectra::LampMatch& m) { return spectra::stands_for(*m.lamp, box); });
+  const spectra::LampFacts& lamp =
+      fitting == matches.end() ? *matches.front().lamp : *fitting->lamp;
+  if (fitting == matches.end()) {
     place->fault(
         fmt::format("no measured {} lamp is near {} K, Ra {}; the nearest is houser:{}, "
                     "{}: {}",
